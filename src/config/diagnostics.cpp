@@ -1,0 +1,89 @@
+#include "config/diagnostics.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace recoil::config {
+
+namespace {
+
+bool starts_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // not a UTF-8 continuation byte
+}
+
+/// Blanks and carets under `line`. Tabs are kept, so that the caret stands right whatever their width.
+std::string carets(std::string_view line, int column, int length) {
+  std::string out;
+  int at = 1;
+  for (const char c : line) {
+    if (!starts_character(c)) continue;
+    if (at >= column + length) break;
+    out += at >= column ? '^' : c == '\t' ? '\t' : ' ';
+    ++at;
+  }
+  if (at <= column) out += std::string(static_cast<std::size_t>(column - at), ' ') + '^';
+  return out;
+}
+
+}  // namespace
+
+void Diagnostics::source(std::string file, std::string text) {
+  sources_.insert_or_assign(std::move(file), std::move(text));
+}
+
+void Diagnostics::error(Place place, std::string message, std::string help) {
+  list_.push_back({Diagnostic::Severity::error, std::move(place), std::move(message), std::move(help)});
+  ++errors_;
+}
+
+void Diagnostics::warning(Place place, std::string message, std::string help) {
+  list_.push_back({Diagnostic::Severity::warning, std::move(place), std::move(message), std::move(help)});
+}
+
+std::string_view Diagnostics::line_of(const Place& place) const {
+  const auto found = sources_.find(place.file);
+  if (found == sources_.end() || place.line < 1) return {};
+  std::string_view rest = found->second;
+  for (int n = 1; n < place.line; ++n) {
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos) return {};
+    rest.remove_prefix(end + 1);
+  }
+  rest = rest.substr(0, rest.find('\n'));
+  if (rest.ends_with('\r')) rest.remove_suffix(1);
+  return rest;
+}
+
+std::string Diagnostics::text(const Diagnostic& one) const {
+  std::string out = one.severity == Diagnostic::Severity::error ? "error: " : "warning: ";
+  out += one.message + '\n';
+  const Place& p = one.place;
+  if (!p.file.empty()) {
+    out += "  --> " + p.file;
+    if (p.line > 0) out += ':' + std::to_string(p.line) + ':' + std::to_string(p.column);
+    out += '\n';
+  }
+  if (const std::string_view line = line_of(p); !line.empty()) {
+    out += "   | " + std::string(line) + '\n';
+    out += "   | " + carets(line, std::max(p.column, 1), std::max(p.length, 1)) + '\n';
+  }
+  if (!one.help.empty()) out += "   = help: " + one.help + '\n';
+  return out;
+}
+
+std::string Diagnostics::text() const {
+  std::string out;
+  for (const Diagnostic& one : list_) {
+    if (!out.empty()) out += '\n';
+    out += text(one);
+  }
+  return out;
+}
+
+void Diagnostics::throw_if_errors() const {
+  if (has_errors()) throw InputError(text());
+}
+
+}  // namespace recoil::config
