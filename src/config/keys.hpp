@@ -1,0 +1,54 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace recoil::config {
+
+/// One key that a table may hold: drives reading, checking, `explain`, the JSON schema and the reference
+/// page.
+struct Key {
+  enum class Type {
+    quantity,  // "0.05 mm"; with an empty unit (or "1") a bare number
+    integer,
+    flag,
+    text,
+    choice,  // one of `choices`
+    texts,   // ["a", "b"], each one of `choices` where there are any
+    range,   // ["0 mm", "2 mm"], low < high
+    vector,  // { x = "450 m/s", y = ... }, components left out are 0
+    table,   // anything: the caller reads it
+    any,     // anything, a table or not: the caller reads it
+  };
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  std::string name;
+  Type type = Type::text;
+  std::string unit = {};       // SI: quantity, range, vector
+  double minimum = -infinity;  // SI, allowed itself
+  double maximum = infinity;   // SI, allowed itself
+  bool positive = false;       // zero is refused as well
+  bool required = false;
+  std::string default_text = {};  // as one would write it; empty: none
+  std::string doc = {};
+  std::vector<std::string> choices = {};
+  std::string example = {};  // a value as one would write it
+};
+
+/// A table of the case file. A `*` stands for a name that the user chooses.
+struct Section {
+  std::string name;  // "mesh", "body.*", "body.*.shape"; empty: the top of the file
+  std::string doc;
+  std::vector<Key> keys;
+  std::string kind = {};  // the keys belong to this `kind` of the table
+};
+
+/// Every table of a case file, in the order in which one writes them.
+const std::vector<Section>& case_sections();
+
+/// The keys of one section. @throws InternalError where there is none of that name.
+std::span<const Key> keys_of(const std::string& section, const std::string& kind = {});
+
+}  // namespace recoil::config

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/diagnostics.hpp"
+#include "config/document.hpp"
+#include "config/keys.hpp"
+
+namespace recoil::config {
+
+/// One table read against a list of keys: checked values in SI. Keys that were not given, or were wrong (and
+/// reported), have their default, and without one 0, false or nothing, so that reading can go on and find
+/// more. All getters @throw InternalError for a name that is not in the list.
+class Record {
+ public:
+  /// The key stands in the table (rightly or wrongly).
+  bool has(std::string_view name) const;
+  /// The key stands in the table and its value was accepted.
+  bool good(std::string_view name) const;
+
+  double number(std::string_view name) const;  // quantity (SI), integer
+  std::int64_t integer(std::string_view name) const;
+  bool flag(std::string_view name) const;
+  const std::string& text(std::string_view name) const;  // text, choice
+  const std::vector<std::string>& texts(std::string_view name) const;
+  std::array<double, 2> range(std::string_view name) const;
+  std::array<double, 3> vector3(std::string_view name) const;  // components in the order of the axes
+  /// The value as it stands in the file; null where not given.
+  const Node* node(std::string_view name) const;
+
+  /// Of the value; where the key was not given, of the table.
+  Place place(std::string_view name) const;
+  const Place& place() const { return place_; }
+
+ private:
+  friend Record read_record(const Node&, std::span<const Key>, Diagnostics&, std::span<const std::string>);
+  struct Value {
+    const Key* key = nullptr;
+    const Node* node = nullptr;
+    bool good = false;
+    std::array<double, 3> numbers{};
+    std::int64_t integer = 0;
+    bool flag = false;
+    std::string text;
+    std::vector<std::string> texts;
+  };
+  const Value& value(std::string_view name) const;
+
+  std::map<std::string, Value, std::less<>> values_;
+  Place place_;
+};
+
+/// Reads a table. Unknown keys (with did-you-mean), wrong types, wrong dimensions, values out of range and
+/// missing required keys are errors in `out`. The table and the keys must outlive the record.
+/// @param axes names of the components of vectors, at most three.
+Record read_record(const Node& table, std::span<const Key> keys, Diagnostics& out,
+                   std::span<const std::string> axes = {});
+
+/// Reads one value as its key asks, as read_record does for each key: a check of single values.
+/// Empty axes stand for x, y, z.
+double read_quantity(const Node& node, std::string_view name, std::string_view unit, Diagnostics& out);
+
+}  // namespace recoil::config

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace recoil {
+
+/// Number of single-character insertions, deletions, replacements and swaps of neighbours that turn `a`
+/// into `b`, where no piece is edited twice (optimal string alignment; Damerau 1964). Upper and lower case
+/// are equal.
+inline int edit_distance(std::string_view a, std::string_view b) {
+  const auto low = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  const std::size_t n = b.size();
+  std::vector<int> before(n + 1), last(n + 1), row(n + 1);
+  for (std::size_t j = 0; j <= n; ++j) last[j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= n; ++j) {
+      const bool same = low(a[i - 1]) == low(b[j - 1]);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && low(a[i - 1]) == low(b[j - 2]) && low(a[i - 2]) == low(b[j - 1]);
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    std::swap(before, last);
+    std::swap(last, row);
+  }
+  return last[n];
+}
+
+/// Up to `count` of the candidates that `word` may have been meant as, the nearest first: those within a
+/// third of the word's length, and those that begin with it or contain it.
+inline std::vector<std::string> nearest(std::string_view word, std::span<const std::string> candidates,
+                                        std::size_t count = 3) {
+  std::vector<std::pair<int, std::string>> found;
+  const int reach = std::max(1, static_cast<int>(word.size()) / 3);
+  for (const std::string& c : candidates) {
+    const int d = edit_distance(word, c);
+    const bool inside = word.size() >= 3 && c.find(word) != std::string::npos;
+    if (d <= reach || inside) found.emplace_back(inside ? std::min(d, reach) : d, c);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& p, const auto& q) { return p.first < q.first; });
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(count, found.size()); ++i) names.push_back(found[i].second);
+  return names;
+}
+
+/// The best of nearest(), or an empty string.
+inline std::string closest(std::string_view word, std::span<const std::string> candidates) {
+  const std::vector<std::string> names = nearest(word, candidates, 1);
+  return names.empty() ? std::string() : names.front();
+}
+
+/// "did you mean 'a'?" or "did you mean 'a' or 'b'?"; empty where nothing is near.
+inline std::string did_you_mean(std::string_view word, std::span<const std::string> candidates,
+                                std::size_t count = 1) {
+  const std::vector<std::string> names = nearest(word, candidates, count);
+  if (names.empty()) return {};
+  std::string out = "did you mean '" + names.front() + "'";
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    out += i + 1 < names.size() ? ", '" : " or '";
+    out += names[i] + "'";
+  }
+  return out + "?";
+}
+
+}  // namespace recoil
