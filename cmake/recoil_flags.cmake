@@ -1,0 +1,24 @@
+# Compiler flags of our own code, as the target recoil_flags. Why these: docs/decisions/0001-flags-and-determinism.md.
+
+add_library(recoil_flags INTERFACE)
+target_compile_options(
+  recoil_flags
+  INTERFACE -Wall
+            -Wextra
+            -Wconversion
+            -fno-math-errno
+            -fno-trapping-math
+            -ffp-contract=off
+            -fopenmp-simd)
+if(RECOIL_WERROR)
+  target_compile_options(recoil_flags INTERFACE -Werror)
+endif()
+if(RECOIL_NATIVE)
+  target_compile_options(recoil_flags INTERFACE -march=native)
+endif()
+if(RECOIL_SANITIZE)
+  set(recoil_sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all)
+  target_compile_options(recoil_flags INTERFACE ${recoil_sanitizers} -O1 -g1 -fno-omit-frame-pointer)
+  target_compile_definitions(recoil_flags INTERFACE _GLIBCXX_ASSERTIONS)
+  target_link_options(recoil_flags INTERFACE ${recoil_sanitizers})
+endif()

@@ -1,0 +1,50 @@
+# The unit tests: one program, one CTest entry per test. tests/CMakeLists.txt, where present, adds the tests that
+# need several ranks (recoil_add_mpi_test) or the whole program.
+
+file(GLOB_RECURSE recoil_test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/unit/*.cpp")
+
+# Containers and CI run as root, with fewer cores than ranks.
+set(recoil_test_environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+                            OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1)
+if(RECOIL_SANITIZE)
+  list(APPEND recoil_test_environment
+       "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tools/lsan_suppressions.txt:print_suppressions=0"
+       "UBSAN_OPTIONS=print_stacktrace=1")
+endif()
+
+# Runs the tests that match a GoogleTest filter on several ranks: recoil_add_mpi_test(halo "Halo.*" 1 2 3)
+function(recoil_add_mpi_test name filter)
+  foreach(ranks IN LISTS ARGN)
+    set(test "mpi.${name}.${ranks}")
+    add_test(NAME "${test}" COMMAND "${MPIEXEC_EXECUTABLE}" --oversubscribe -n ${ranks} $<TARGET_FILE:recoil_tests>
+                                    "--gtest_filter=${filter}")
+    # A filter that matches nothing must not pass.
+    set_tests_properties(
+      "${test}"
+      PROPERTIES ENVIRONMENT "${recoil_test_environment}"
+                 PROCESSORS ${ranks}
+                 TIMEOUT 600
+                 LABELS mpi
+                 FAIL_REGULAR_EXPRESSION "Running 0 tests;FAILED")
+  endforeach()
+endfunction()
+
+if(recoil_test_sources)
+  find_package(GTest REQUIRED)
+  find_package(rapidcheck REQUIRED)
+  include(GoogleTest)
+  add_executable(recoil_tests ${recoil_test_sources})
+  target_compile_definitions(recoil_tests PRIVATE RECOIL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(recoil_tests PRIVATE recoil_lib recoil_flags rapidcheck rapidcheck_gtest GTest::gtest
+                                             GTest::gtest_main)
+  add_dependencies(recoil_tests recoil_build_info)
+  string(REPLACE ";" "\\;" recoil_escaped_environment "${recoil_test_environment}")
+  gtest_discover_tests(
+    recoil_tests
+    DISCOVERY_TIMEOUT 300
+    PROPERTIES ENVIRONMENT "${recoil_escaped_environment}" TIMEOUT 600 LABELS unit)
+endif()
+
+if(EXISTS "${PROJECT_SOURCE_DIR}/tests/CMakeLists.txt")
+  add_subdirectory(tests)
+endif()
