@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+
+#include "material/parameter.hpp"
+
+namespace recoil {
+
+/// Mie-Grueneisen with the principal Hugoniot U_s = c0 + s u_p as its reference, Gamma rho constant:
+///   p = Gamma0 rho0 e + f(rho),  Phi = 1 - rho0/rho,
+///   f = rho0 c0^2 Phi/(1 - s Phi)^2 (1 - Gamma0 Phi/2) in compression, c0^2 (rho - rho0) in expansion.
+/// e [J/kg] is zero at rho0 and zero pressure. All functions are free of branches: loops over arrays
+/// of cells call them and must vectorise. See docs/theory.md, equation of state.
+struct MieGruneisen {
+  double rho0 = unset;    // kg/m3
+  double c0 = unset;      // m/s, bulk sound speed at rho0
+  double s = unset;       // slope of the Hugoniot
+  double gamma0 = unset;  // Grueneisen coefficient at rho0
+
+  static constexpr const char* kind = "mie-gruneisen";
+  static constexpr const char* doc = "Mie-Grueneisen on the principal Hugoniot U_s = c0 + s u_p";
+  static constexpr bool barotropic = false;
+  /// 1 - s Phi is kept from going below this; states beyond are not admissible().
+  static constexpr double guard = 0.1;
+
+  static constexpr auto parameters() {
+    using P = Parameter<MieGruneisen>;
+    return std::array{P{"density", "kg/m3", &MieGruneisen::rho0, 1, 3e4, "density at rest"},
+                      P{"c0", "m/s", &MieGruneisen::c0, 10, 2e4, "bulk sound speed at rest"},
+                      P{"s", "1", &MieGruneisen::s, 0, 5, "slope of shock speed over particle speed"},
+                      P{"gamma0", "1", &MieGruneisen::gamma0, 0.01, 5, "Grueneisen coefficient at rest"}};
+  }
+
+  /// Pressure [Pa] at density rho [kg/m3] and specific internal energy e [J/kg].
+  constexpr double pressure(double rho, double e) const { return gamma0 * rho0 * e + cold(rho); }
+
+  /// Specific internal energy [J/kg] at density rho and pressure p [Pa].
+  constexpr double energy(double rho, double p) const { return (p - cold(rho)) / (gamma0 * rho0); }
+
+  /// (dp/drho) at constant entropy [m2/s2]: f'(rho) + Gamma0 rho0 p/rho^2. No floor: negative where
+  /// the state is unstable.
+  constexpr double sound_speed_squared(double rho, double p) const {
+    return cold_slope(rho) + gamma0 * rho0 * p / (rho * rho);
+  }
+
+  /// Whether the equation of state means anything at this density.
+  constexpr bool admissible(double rho) const { return rho > 0 && 1 - s * (1 - rho0 / rho) > guard; }
+
+  /// The largest admissible density (infinite for a small s).
+  constexpr double largest_density() const {
+    const double phi = s > 0 ? (1 - guard) / s : 1.0;
+    return phi < 1 ? rho0 / (1 - phi) : infinite;
+  }
+
+  /// f(rho) [Pa]: the pressure where e = 0.
+  constexpr double cold(double rho) const {
+    const double phi = 1 - rho0 / rho;
+    const double d = guarded(1 - s * phi);
+    const double compressed = rho0 * c0 * c0 * phi * (1 - 0.5 * gamma0 * phi) / (d * d);
+    const double expanded = c0 * c0 * (rho - rho0);
+    return phi >= 0 ? compressed : expanded;
+  }
+
+  /// f'(rho) [m2/s2].
+  constexpr double cold_slope(double rho) const {
+    const double x = rho0 / rho;
+    const double phi = 1 - x;
+    const double d = guarded(1 - s * phi);
+    const double by_phi = ((1 - gamma0 * phi) * d + 2 * s * phi * (1 - 0.5 * gamma0 * phi)) / (d * d * d);
+    return phi >= 0 ? c0 * c0 * by_phi * x * x : c0 * c0;
+  }
+
+ private:
+  static constexpr double guarded(double d) { return d > guard ? d : guard; }
+};
+
+/// Bulk sound speed at rest [m/s].
+constexpr double bulk_sound_speed(const MieGruneisen& eos) { return eos.c0; }
+
+}  // namespace recoil

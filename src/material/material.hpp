@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "material/eos/eos.hpp"
+#include "material/strength/strength.hpp"
+#include "material/temperature.hpp"
+
+namespace recoil {
+
+/// What one kind of matter does at a point.
+struct Material {
+  std::string name;               // "copper/seed", or the NAME of a case's [material.NAME]
+  std::string title;              // one line for people
+  std::vector<std::string> cite;  // sources: keys of the bibliography
+  Eos eos;
+  Strength strength;
+  Thermal thermal;
+};
+
+/// Density at rest [kg/m3].
+inline double density(const Material& m) { return density(m.eos); }
+
+/// Shear modulus [Pa]; 0 for a fluid.
+inline double shear_modulus(const Material& m) { return shear_modulus(m.strength); }
+
+/// Bulk sound speed at rest [m/s].
+inline double bulk_sound_speed(const Material& m) { return bulk_sound_speed(m.eos); }
+
+/// Speed of longitudinal waves at rest [m/s]: c_L^2 = c0^2 + 4 G/(3 rho0).
+inline double longitudinal_speed(const Material& m) {
+  const double c = bulk_sound_speed(m);
+  return std::sqrt(c * c + 4 * shear_modulus(m) / (3 * density(m)));
+}
+
+}  // namespace recoil

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+
+#include "material/parameter.hpp"
+
+namespace recoil {
+
+/// A fluid: no shear stress at all.
+struct NoStrength {
+  static constexpr double shear_modulus = 0;  // Pa
+
+  static constexpr const char* kind = "none";
+  static constexpr const char* doc = "no strength: a fluid";
+  static constexpr bool rate_dependent = false;
+
+  static constexpr std::array<Parameter<NoStrength>, 0> parameters() { return {}; }
+
+  constexpr double yield(double /*ep*/, double /*ep_rate*/, double /*temperature*/) const { return 0; }
+};
+
+}  // namespace recoil

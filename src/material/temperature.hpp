@@ -1,0 +1,103 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include "material/eos/eos.hpp"
+
+namespace recoil {
+
+/// How the temperature is found. plastic_work: T = T0 + heat, where the state variable `heat` [K]
+/// grows by plastic_heating(). energy: from density and internal energy, see TemperatureLaw.
+struct Thermal {
+  enum class Rule { plastic_work, energy };
+  Rule rule = Rule::plastic_work;
+  double specific_heat = unset;      // J/(kg K)
+  double initial_temperature = 298;  // K, T0
+  double taylor_quinney = 1;         // part of the plastic work that heats
+
+  static constexpr auto parameters() {
+    using P = Parameter<Thermal>;
+    return std::array{
+        P{"specific-heat", "J/(kg K)", &Thermal::specific_heat, 1, 2e4, "specific heat"},
+        P{"initial-temperature", "K", &Thermal::initial_temperature, 1, 1e4, "temperature at the start"},
+        P{"taylor-quinney", "1", &Thermal::taylor_quinney, 0, 1, "part of the plastic work that heats"}};
+  }
+};
+
+/// Rise of temperature [K] of a plastic increment dep at the yield stress [Pa] it ends on:
+/// rho c dT = chi yield dep.
+inline double plastic_heating(const Thermal& thermal, double yield, double dep, double rho) {
+  return thermal.taylor_quinney * yield * dep / (rho * thermal.specific_heat);
+}
+
+/// T(rho, e, heat) of one material, with the isentrope through the state at rest tabulated once.
+///   energy rule, Mie-Grueneisen: T = T0 exp(Gamma0 (1 - rho0/rho)) + (e - e_s(rho))/c_v
+///   energy rule, linear:         T = T0 + (e - e_cold(rho))/c_v
+class TemperatureLaw {
+ public:
+  TemperatureLaw() = default;
+  TemperatureLaw(const Thermal& thermal, const Eos& eos) : thermal_(thermal) {
+    if (thermal.rule == Thermal::Rule::energy) std::visit([this](const auto& m) { tabulate(m); }, eos);
+  }
+
+  /// Temperature [K] at density rho [kg/m3], specific internal energy e [J/kg] and accumulated heat [K].
+  double operator()(double rho, double e, double heat) const {
+    if (thermal_.rule == Thermal::Rule::plastic_work) return thermal_.initial_temperature + heat;
+    return thermal_.initial_temperature * std::exp(gamma0_ * (1 - rho0_ / rho)) +
+           (e - isentrope(rho)) / thermal_.specific_heat;
+  }
+
+  /// e_s [J/kg] on the isentrope through rest: linear between the points of the table, and beyond it.
+  double isentrope(double rho) const {
+    const double x = (rho - lowest_) / spacing_;
+    const double last = static_cast<double>(table_.size()) - 2;
+    const double k = std::clamp(std::floor(x), 0.0, last);
+    const auto i = static_cast<std::size_t>(k);
+    return table_[i] + (x - k) * (table_[i + 1] - table_[i]);
+  }
+
+  const Thermal& thermal() const { return thermal_; }
+
+ private:
+  void tabulate(const MieGruneisen& eos) {
+    gamma0_ = eos.gamma0;
+    fill(eos);
+  }
+  void tabulate(const LinearEos& eos) { fill(eos); }  // gamma0_ = 0: the isentrope stays at T0
+
+  /// Integrates de/drho = p/rho^2 from rest both ways by the classical Runge-Kutta rule.
+  template <class Model>
+  void fill(const Model& eos) {
+    constexpr int below = 2000, above = 4000;
+    rho0_ = eos.rho0;
+    spacing_ = 0.6 * rho0_ / below;  // the table reaches from 0.4 rho0 to 2.2 rho0
+    lowest_ = rho0_ - below * spacing_;
+    table_.assign(below + above + 1, 0.0);
+    for (int k = below; k < below + above; ++k) advance(eos, k, +1);
+    for (int k = below; k > 0; --k) advance(eos, k, -1);
+  }
+
+  template <class Model>
+  void advance(const Model& eos, int k, int direction) {
+    const auto from = static_cast<std::size_t>(k), to = static_cast<std::size_t>(k + direction);
+    const double h = direction * spacing_;
+    const double r = lowest_ + k * spacing_, e = table_[from];
+    const auto slope = [&](double rho, double energy) { return eos.pressure(rho, energy) / (rho * rho); };
+    const double k1 = slope(r, e);
+    const double k2 = slope(r + 0.5 * h, e + 0.5 * h * k1);
+    const double k3 = slope(r + 0.5 * h, e + 0.5 * h * k2);
+    const double k4 = slope(r + h, e + h * k3);
+    table_[to] = e + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+
+  Thermal thermal_;
+  double rho0_ = 1, gamma0_ = 0;         // kg/m3, 1
+  double lowest_ = 0, spacing_ = 1;      // kg/m3
+  std::vector<double> table_{0.0, 0.0};  // J/kg
+};
+
+}  // namespace recoil
