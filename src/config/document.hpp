@@ -42,7 +42,8 @@ std::string describe(const Node& node);
 struct Document {
   std::string name;  // path of the file, as shown in messages
   std::string text;
-  Node root;  // kind table
+  Node root;             // kind table
+  bool complete = true;  // false: a mistake of syntax (or a missing file) cut the reading short
 
   /// The node at a dotted path ("body.flyer"), or null.
   const Node* find(std::string_view dotted) const;
@@ -61,6 +62,11 @@ Document read_document(const std::string& path, Diagnostics& out);
 /// Parses one TOML value, e.g. `0.1` or `{ x = "1 m/s" }`; what is no TOML value is taken as bare text.
 /// All places become `place`.
 Node parse_value(const std::string& text, const Place& place);
+
+/// The parts of a dotted path; parts in double quotes may hold dots: expect."contact.a-b.opens".value.
+std::vector<std::string> split_path(std::string_view dotted);
+/// The opposite of split_path.
+std::string join_path(const std::string& parent, const std::string& key);
 
 /// Puts `value` at a path below `root`, replacing what is there and making the tables on the way.
 /// @return false where the way leads through something that is no table.

@@ -1,0 +1,314 @@
+#include "config/units.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "core/closest.hpp"
+#include "core/error.hpp"
+
+namespace recoil::config {
+
+namespace {
+
+using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
+
+/// The units that udunits knows. Read once from its XML file: parsing it takes milliseconds.
+ut_system* unit_system() {
+  static const std::unique_ptr<ut_system, decltype(&ut_free_system)> all = [] {
+    ut_set_error_message_handler(ut_ignore);
+    return std::unique_ptr<ut_system, decltype(&ut_free_system)>(ut_read_xml(nullptr), &ut_free_system);
+  }();
+  if (!all)
+    throw EnvironmentError("the unit definitions of udunits2 cannot be read; is libudunits2-data installed?");
+  return all.get();
+}
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+std::string_view trimmed(std::string_view s) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!s.empty() && blank(s.front())) s.remove_prefix(1);
+  while (!s.empty() && blank(s.back())) s.remove_suffix(1);
+  return s;
+}
+
+/// Calls f(word) for each run of letters and puts what it returns in the word's place.
+template <class F>
+std::string map_words(std::string_view unit, F&& f) {
+  std::string out;
+  for (std::size_t i = 0; i < unit.size();) {
+    std::size_t j = i;
+    while (j < unit.size() && is_letter(unit[j])) ++j;
+    if (j == i) {
+      out += unit[i++];
+    } else {
+      out += f(std::string(unit.substr(i, j - i)));
+      i = j;
+    }
+  }
+  return out;
+}
+
+/// udunits writes these differently.
+std::string udunits_name(std::string_view unit) {
+  return map_words(unit, [](std::string word) {
+    return word == "deg" ? std::string("degree") : word == "rev" ? std::string("turn") : word;
+  });
+}
+
+/// Numbers hidden in a unit ("mm 5", "K @ 3") would be taken as factors and shifts; exponents are fine.
+bool has_stray_number(std::string_view unit) {
+  if (unit.find('@') != std::string_view::npos) return true;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (!is_digit(unit[i]) && unit[i] != '.') continue;
+    const char before = i > 0 ? unit[i - 1] : ' ';
+    const bool exponent =
+        is_letter(before) || before == '^' || before == ')' || before == '-' || is_digit(before);
+    const bool one_over = unit[i] == '1' && i == 0 && unit.size() > 1 && unit[1] == '/';
+    const bool dot_between = unit[i] == '.' && is_letter(before);
+    if (!exponent && !one_over && !dot_between) return true;
+  }
+  return false;
+}
+
+Unit parse_unit(std::string_view unit) {
+  if (has_stray_number(unit) && unit != "1") return Unit(nullptr, &ut_free);
+  return Unit(ut_parse(unit_system(), udunits_name(unit).c_str(), UT_UTF8), &ut_free);
+}
+
+/// A unit's product of base units ("m.s-1"), without factor and shift. Radians count as a base unit here,
+/// unlike in ut_are_convertible: 100 Hz shall not pass for 100 rad/s.
+std::string base_units(const ut_unit* unit) {
+  std::array<char, 256> text{};
+  const int n = ut_format(unit, text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION);
+  if (n < 0) return "?";
+  std::string_view s(text.data(), static_cast<std::size_t>(n));
+  s = s.substr(0, s.find(" @"));
+  const std::size_t blank = s.find(' ');
+  if (blank != std::string_view::npos && (is_digit(s[0]) || s[0] == '.')) s.remove_prefix(blank + 1);
+  return std::string(s);
+}
+
+struct Dimension {
+  std::string_view si, name;
+};
+
+constexpr std::array dimensions{Dimension{"1", "none"},
+                                Dimension{"m", "length"},
+                                Dimension{"s", "time"},
+                                Dimension{"kg", "mass"},
+                                Dimension{"K", "temperature"},
+                                Dimension{"m/s", "velocity"},
+                                Dimension{"m/s2", "acceleration"},
+                                Dimension{"Pa", "pressure"},
+                                Dimension{"kg/m3", "density"},
+                                Dimension{"J/(kg K)", "specific heat"},
+                                Dimension{"J", "energy"},
+                                Dimension{"J/kg", "specific energy"},
+                                Dimension{"J/m", "energy per length"},
+                                Dimension{"N", "force"},
+                                Dimension{"N s", "momentum"},
+                                Dimension{"kg/m2", "mass per area"},
+                                Dimension{"rad", "angle"},
+                                Dimension{"rad/s", "angular velocity"},
+                                Dimension{"1/s", "rate"},
+                                Dimension{"m2", "area"},
+                                Dimension{"m3", "volume"},
+                                Dimension{"kg/mol", "molar mass"},
+                                Dimension{"W/(m K)", "thermal conductivity"},
+                                Dimension{"Pa s", "viscosity"}};
+
+const Dimension* dimension_of(const ut_unit* unit) {
+  const std::string base = base_units(unit);
+  for (const Dimension& d : dimensions)
+    if (const Unit si = parse_unit(d.si); si && base_units(si.get()) == base) return &d;
+  return nullptr;
+}
+
+std::string name_of(const ut_unit* unit) {
+  const Dimension* d = dimension_of(unit);
+  return d ? std::string(d->name) : base_units(unit);
+}
+
+/// Help for a unit that udunits does not know.
+std::string nearest_unit(std::string_view unit) {
+  static const std::vector<std::string> common{"m",   "mm",  "cm",  "um",  "nm",   "km",   "s",  "ms",   "us",
+                                               "ns",  "ps",  "min", "kg",  "g",    "mg",   "K",  "degC", "Pa",
+                                               "kPa", "MPa", "GPa", "bar", "kbar", "Mbar", "J",  "kJ",   "MJ",
+                                               "N",   "kN",  "W",   "rad", "deg",  "in",   "rpm"};
+  bool found = false;
+  const std::string better = map_words(unit, [&](std::string word) {
+    if (parse_unit(word)) return word;
+    const std::string near = closest(word, common);
+    if (near.empty() || (word.size() == 1 && edit_distance(word, near) > 0)) return word;
+    found = true;
+    return near;
+  });
+  if (found && parse_unit(better)) return "did you mean '" + better + "'?";
+  return "units are written like mm, us, km/s, g/cm3, GPa, J/(kg K), deg";
+}
+
+double convert(double value, ut_unit* from, ut_unit* to) {
+  const std::unique_ptr<cv_converter, decltype(&cv_free)> c(ut_get_converter(from, to), &cv_free);
+  require(c != nullptr, "units of one dimension convert");
+  const double zero = cv_convert_double(c.get(), 0), factor = cv_convert_double(c.get(), 1) - zero;
+  // Dividing by 1000 rounds once, multiplying by 0.001 twice: "0.05 mm" shall be the double nearest 5e-5.
+  const double inverse = std::round(1 / factor);
+  if (zero == 0 && inverse > 1 && std::abs(inverse * factor - 1) < 4e-16) return value / inverse;
+  return cv_convert_double(c.get(), value);
+}
+
+struct Split {
+  bool number = false;
+  double value = 0;
+  std::string_view rest;
+};
+
+Split split_number(std::string_view text) {
+  Split s;
+  std::string_view t = text;
+  if (t.starts_with('+')) t.remove_prefix(1);
+  const std::string_view digits = t.starts_with('-') ? t.substr(1) : t;
+  if (digits.empty() || !(is_digit(digits[0]) || digits[0] == '.')) return s;  // keeps "inf" and "nan" out
+  const auto [end, error] = std::from_chars(t.data(), t.data() + t.size(), s.value);
+  if (error != std::errc() || !std::isfinite(s.value)) return s;
+  s.number = true;
+  s.rest = trimmed(t.substr(static_cast<std::size_t>(end - t.data())));
+  return s;
+}
+
+std::string example(std::string_view si) {
+  if (si.empty() || si == "1") return "a number, e.g. 0.5 or \"50 %\"";
+  const auto is = [&](std::string_view unit) { return si == unit; };
+  return "a number and a unit, e.g. \"" +
+         std::string(is("m")       ? "0.5 mm"
+                     : is("s")     ? "10 us"
+                     : is("m/s")   ? "450 m/s"
+                     : is("Pa")    ? "1.2 GPa"
+                     : is("rad")   ? "10 deg"
+                     : is("kg/m3") ? "8.93 g/cm3"
+                                   : "1 " + std::string(si)) +
+         "\"";
+}
+
+/// Number and unit of a text; the SI value is left to the caller.
+Quantity split_quantity(std::string_view text, std::string_view si, std::string_view name) {
+  Quantity q;
+  const std::string_view t = trimmed(text);
+  const Split s = split_number(t);
+  if (!s.number) {
+    q.problem = fmt::format("'{}' is no quantity: '{}' needs a number and a unit", text, name);
+    q.help = "write " + example(si);
+    return q;
+  }
+  q.written = s.value;
+  q.unit = std::string(s.rest);
+  if (s.rest.size() > 1 && s.rest[0] == ',' && is_digit(s.rest[1])) {
+    q.problem = fmt::format("'{}' has a decimal comma", text);
+    q.help = "write a point";
+  }
+  return q;
+}
+
+}  // namespace
+
+Quantity parse_quantity(std::string_view text, std::string_view si_unit, std::string_view name) {
+  const std::string_view si = si_unit.empty() ? "1" : si_unit;
+  Quantity q = split_quantity(text, si, name);
+  if (!q.ok()) return q;
+  if (q.unit.empty() && si != "1") {
+    q.problem = fmt::format("'{}' has no unit, but '{}' needs one of [{}]", text, name, dimension_name(si));
+    q.help = "write " + example(si);
+    return q;
+  }
+  const Unit unit = parse_unit(q.unit.empty() ? "1" : q.unit), target = parse_unit(si);
+  require(target != nullptr, "a key's own unit is known");
+  if (!unit) {
+    q.problem = fmt::format("unknown unit '{}' in '{}'", q.unit, text);
+    q.help = nearest_unit(q.unit);
+    return q;
+  }
+  if (base_units(unit.get()) != base_units(target.get())) {
+    q.problem = fmt::format("'{}' has dimension [{}], but '{}' needs [{}]", text, name_of(unit.get()), name,
+                            name_of(target.get()));
+    q.help = "write " + example(si);
+    return q;
+  }
+  q.value = convert(q.written, unit.get(), target.get());
+  return q;
+}
+
+Quantity parse_any_quantity(std::string_view text, std::string_view name) {
+  Quantity q = split_quantity(text, "m/s", name);
+  if (!q.ok() || q.unit.empty()) {
+    q.value = q.written;
+    return q;
+  }
+  const Unit unit = parse_unit(q.unit);
+  const Dimension* d = unit ? dimension_of(unit.get()) : nullptr;
+  if (!unit) {
+    q.problem = fmt::format("unknown unit '{}' in '{}'", q.unit, text);
+    q.help = nearest_unit(q.unit);
+  } else if (!d) {
+    q.problem = fmt::format("'{}' has dimension [{}], which no result has", text, base_units(unit.get()));
+  } else {
+    q.value = convert(q.written, unit.get(), parse_unit(d->si).get());
+  }
+  return q;
+}
+
+namespace {
+
+struct Pair {
+  Unit unit, si;
+};
+
+Pair known_unit(std::string_view unit) {
+  Pair p{parse_unit(unit.empty() ? "1" : unit), Unit(nullptr, &ut_free)};
+  if (!p.unit) throw InputError(fmt::format("unknown unit '{}'; {}", unit, nearest_unit(unit)));
+  const Dimension* d = dimension_of(p.unit.get());
+  if (!d)
+    throw InputError(fmt::format("unit '{}' has an unusual dimension [{}]", unit, base_units(p.unit.get())));
+  p.si = parse_unit(d->si);
+  return p;
+}
+
+}  // namespace
+
+double unit_size(std::string_view unit) {
+  const Pair p = known_unit(unit);
+  return convert(1, p.unit.get(), p.si.get()) - convert(0, p.unit.get(), p.si.get());
+}
+
+double in_unit(double si, std::string_view unit) {
+  const Pair p = known_unit(unit);
+  return convert(si, p.si.get(), p.unit.get());
+}
+
+std::string format_quantity(double si, std::string_view unit, int digits) {
+  const std::string number = fmt::format("{:.{}g}", in_unit(si, unit), digits);
+  return unit.empty() || unit == "1" ? number : fmt::format("{} {}", number, unit);
+}
+
+std::string dimension_name(std::string_view unit) {
+  const Unit u = parse_unit(unit.empty() ? "1" : unit);
+  if (!u) throw InputError(fmt::format("unknown unit '{}'", unit));
+  return name_of(u.get());
+}
+
+std::string si_unit_of(std::string_view unit) {
+  const Unit u = parse_unit(unit.empty() ? "1" : unit);
+  const Dimension* d = u ? dimension_of(u.get()) : nullptr;
+  return d ? std::string(d->si) : std::string();
+}
+
+}  // namespace recoil::config
