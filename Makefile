@@ -1,0 +1,70 @@
+# The front door. `make demo` needs nothing but a Debian 12 with make; the rest follows from there.
+# What each step took is printed behind it; a second call does only what has changed.
+
+JOBS   ?= $(shell nproc)
+PYTHON ?= /usr/bin/python3
+WERROR ?= OFF
+
+STEP    := @tools/step
+RELEASE := build/release
+TEST    := build/test
+DEMO    := runs/flyer_al_cu
+
+# Containers run as root and on fewer cores than ranks.
+export OMPI_ALLOW_RUN_AS_ROOT = 1
+export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM = 1
+
+.PHONY: help build demo test layers unit-tests bench docs format check clean packages packages-test
+
+help:
+	@echo "make demo     install what is missing, build for this machine, run the flyer plate, draw its gauge"
+	@echo "make test     build a portable binary, run the quick tests, check the layers of the source"
+	@echo "make bench    build and run the timed kernels; results in build/bench.json"
+	@echo "make docs     write the reference pages from the program's own registry of keys"
+	@echo "make format   bring the C++ files into the form of .clang-format"
+	@echo "make clean    remove build/ (runs/ stays)"
+
+packages:
+	$(STEP) "Debian packages to build and run" tools/install_packages build
+
+packages-test:
+	$(STEP) "Debian packages to build, run and test" tools/install_packages build test
+
+build: packages
+	$(STEP) "Configure $(RELEASE)" tools/configure $(RELEASE) -DRECOIL_NATIVE=ON -DRECOIL_TESTS=OFF
+	$(STEP) "Build the program for this machine (some minutes the first time)" \
+	  cmake --build $(RELEASE) -j $(JOBS) --target recoil
+
+demo: build
+	$(STEP) "Run an aluminium flyer against a copper target at 450 m/s" \
+	  $(RELEASE)/recoil run cases/flyer_al_cu/case.toml -o $(DEMO) --force
+	$(STEP) "Draw the velocity of the target's rear surface" \
+	  $(RELEASE)/recoil plot $(DEMO) rear $(DEMO)/rear.png
+	@echo
+	@echo "results   $(DEMO)/"
+	@echo "picture   $(DEMO)/rear.png"
+	@echo "program   $(RELEASE)/recoil --help"
+
+test: layers unit-tests
+
+layers: packages-test
+	$(STEP) "Layers of the source" $(PYTHON) tools/check_layers.py
+	$(STEP) "The checker of layers itself" $(PYTHON) -B tools/test_check_layers.py
+
+unit-tests: packages-test
+	$(STEP) "Configure $(TEST)" tools/configure $(TEST) -DRECOIL_WERROR=$(WERROR)
+	$(STEP) "Build a portable program and its tests (some minutes the first time)" \
+	  cmake --build $(TEST) -j $(JOBS)
+	$(STEP) "Quick tests" ctest --test-dir $(TEST) -j $(JOBS) -LE slow --output-on-failure --no-tests=error \
+	  --progress --output-junit ctest.xml
+
+bench: packages-test
+	$(STEP) "Configure $(RELEASE)" tools/configure $(RELEASE) -DRECOIL_NATIVE=ON -DRECOIL_BENCH=ON
+	$(STEP) "Build the timed kernels" cmake --build $(RELEASE) -j $(JOBS) --target recoil_bench
+	$(STEP) "Run the timed kernels" $(RELEASE)/recoil_bench --benchmark_out=build/bench.json
+
+format:
+	$(STEP) "clang-format" tools/check_format --fix
+
+clean:
+	rm -rf build
