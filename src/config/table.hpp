@@ -40,8 +40,8 @@ class Record {
 
  private:
   friend Record read_record(const Node&, std::span<const Key>, Diagnostics&, std::span<const std::string>);
+  friend struct ValueReader;
   struct Value {
-    const Key* key = nullptr;
     const Node* node = nullptr;
     bool good = false;
     std::array<double, 3> numbers{};
@@ -58,12 +58,13 @@ class Record {
 
 /// Reads a table. Unknown keys (with did-you-mean), wrong types, wrong dimensions, values out of range and
 /// missing required keys are errors in `out`. The table and the keys must outlive the record.
-/// @param axes names of the components of vectors, at most three.
+/// @param axes names of the components of vectors, at most three; empty: x, y, z.
 Record read_record(const Node& table, std::span<const Key> keys, Diagnostics& out,
                    std::span<const std::string> axes = {});
 
-/// Reads one value as its key asks, as read_record does for each key: a check of single values.
-/// Empty axes stand for x, y, z.
-double read_quantity(const Node& node, std::string_view name, std::string_view unit, Diagnostics& out);
+/// Reads one quantity to SI; what is wrong with it is reported, and the result is then 0.
+/// @param name what messages call it; @param example a value to suggest, may be empty.
+double read_quantity(const Node& node, const std::string& name, const std::string& unit, Diagnostics& out,
+                     const std::string& example = {});
 
 }  // namespace recoil::config

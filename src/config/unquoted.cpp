@@ -18,11 +18,12 @@ int characters(std::string_view s) {
 }
 
 std::size_t byte_of(std::string_view line, int column) {
-  std::size_t i = 0;
-  for (int at = 1; i < line.size() && at < column; ++at) do
-      ++i;
-    while (i < line.size() && !starts_character(line[i]));
-  return i;
+  int at = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (starts_character(line[i])) ++at;
+    if (at == column) return i;
+  }
+  return line.size();
 }
 
 /// "5 km/s", "0.05mm", "3 %": a number and something that begins like a unit.
