@@ -34,7 +34,8 @@ struct Key {
   std::string default_text = {};  // as one would write it; empty: none
   std::string doc = {};
   std::vector<std::string> choices = {};
-  std::string example = {};  // a value as one would write it
+  std::vector<std::string> not_yet = {};  // values that a later version will know
+  std::string example = {};               // a value as one would write it
 };
 
 /// A table of the case file. A `*` stands for a name that the user chooses.

@@ -97,11 +97,21 @@ struct ValueReader {
       return;
     std::string help = did_you_mean(node.text, key.choices);
     const std::string all = fmt::format("one of: {}", fmt::join(key.choices, ", "));
+    if (std::find(key.not_yet.begin(), key.not_yet.end(), node.text) != key.not_yet.end()) {
+      out.error(node.place,
+                fmt::format("'{}' = \"{}\" is not available in this version", key.name, node.text), all);
+      return;
+    }
     out.error(node.place, fmt::format("'{}' is no value of '{}'", node.text, key.name),
               help.empty() ? all : help + " (" + all + ")");
   }
 
   void read_texts(const Node& node, Record::Value& v) const {
+    if (node.is_text()) {  // one text stands for a list of one
+      choice(node);
+      v.texts.push_back(node.text);
+      return;
+    }
     if (!node.is_array()) return wrong_type(node, "a list of texts");
     for (const Node& one : node.children) {
       if (!one.is_text()) {
@@ -125,7 +135,7 @@ struct ValueReader {
                 "swap the two, or give them some distance");
   }
 
-  void read_vector(const Node& node, Record::Value& v) const {
+  void read_components(const Node& node, Record::Value& v) const {
     if (!node.is_table()) return wrong_type(node, "a table of components");
     for (const Node& one : node.children) {
       const auto axis = std::find(axes.begin(), axes.end(), one.key);
@@ -164,7 +174,7 @@ struct ValueReader {
       case Key::Type::range:
         return read_range(node, v);
       case Key::Type::vector:
-        return read_vector(node, v);
+        return read_components(node, v);
       case Key::Type::table:
         if (!node.is_table()) return wrong_type(node, "a table");
         return;
@@ -200,6 +210,13 @@ struct ValueReader {
     return v;
   }
 };
+
+std::array<double, 3> read_vector(const Node& node, const Key& key, Diagnostics& out,
+                                  std::span<const std::string> axes) {
+  Record::Value v;
+  ValueReader{key, node, out, axes}.read_components(node, v);
+  return v.numbers;
+}
 
 namespace {
 

@@ -41,6 +41,8 @@ class Record {
  private:
   friend Record read_record(const Node&, std::span<const Key>, Diagnostics&, std::span<const std::string>);
   friend struct ValueReader;
+  friend std::array<double, 3> read_vector(const Node&, const Key&, Diagnostics&,
+                                           std::span<const std::string>);
   struct Value {
     const Node* node = nullptr;
     bool good = false;
@@ -66,5 +68,9 @@ Record read_record(const Node& table, std::span<const Key> keys, Diagnostics& ou
 /// @param name what messages call it; @param example a value to suggest, may be empty.
 double read_quantity(const Node& node, const std::string& name, const std::string& unit, Diagnostics& out,
                      const std::string& example = {});
+
+/// Reads one vector { x = "450 m/s", ... } as a key of type vector asks; components left out or wrong are 0.
+std::array<double, 3> read_vector(const Node& node, const Key& key, Diagnostics& out,
+                                  std::span<const std::string> axes);
 
 }  // namespace recoil::config
