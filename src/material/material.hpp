@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -10,6 +11,19 @@
 
 namespace recoil {
 
+/// What the models do not use, but checks do. NaN where not given.
+struct Facts {
+  double molar_mass = unset;     // kg/mol, mean of the atoms
+  double poisson_ratio = unset;  // as a handbook says it
+
+  static constexpr auto parameters() {
+    using P = Parameter<Facts>;
+    return std::array{
+        P{"molar-mass", "kg/mol", &Facts::molar_mass, 1e-3, 0.3, "mean molar mass of the atoms"},
+        P{"poisson-ratio", "1", &Facts::poisson_ratio, -1, 0.5, "Poisson's ratio"}};
+  }
+};
+
 /// What one kind of matter does at a point.
 struct Material {
   std::string name;               // "copper/seed", or the NAME of a case's [material.NAME]
@@ -18,6 +32,7 @@ struct Material {
   Eos eos;
   Strength strength;
   Thermal thermal;
+  Facts facts;
 };
 
 /// Density at rest [kg/m3].

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <variant>
 #include <vector>
 
 #include "material/eos/eos.hpp"
+#include "material/parameter.hpp"
 
 namespace recoil {
 

@@ -40,6 +40,13 @@ struct JohnsonCook {
         P{"reference-rate", "1/s", &J::reference_rate, 1e-8, 1e8, "strain rate of the constants a and b"}};
   }
 
+  /// What is wrong with the constants together; null: nothing.
+  constexpr const char* problem() const {
+    return melting_temperature <= reference_temperature
+               ? "melting-temperature must exceed reference-temperature"
+               : nullptr;
+  }
+
   /// Factor of thermal softening, 1 at and below the reference temperature, 0 from melting on.
   double softening(double temperature) const {
     const double t = (temperature - reference_temperature) / (melting_temperature - reference_temperature);

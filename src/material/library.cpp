@@ -1,0 +1,337 @@
+#include "material/library.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "config/table.hpp"
+#include "core/closest.hpp"
+
+namespace recoil {
+
+namespace {
+
+using config::Diagnostics;
+using config::Key;
+using config::Node;
+using config::Place;
+using config::Record;
+
+/// The shortest text that reads back as the same number.
+std::string shortest(double x) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x);
+  return std::string(buffer, end.ptr);
+}
+
+bool pure(const char* unit) { return std::string_view(unit) == "1"; }
+
+template <class Model>
+std::string written(const Parameter<Model>& p, double value) {
+  return pure(p.unit) ? shortest(value) : "\"" + shortest(value) + " " + p.unit + "\"";
+}
+
+template <class Model>
+Key key_of(const Parameter<Model>& p, bool required) {
+  Key key{.name = p.name, .type = Key::Type::quantity, .unit = p.unit, .doc = p.doc};
+  key.minimum = p.minimum;
+  key.maximum = p.maximum;
+  key.required = required;
+  if (!p.required()) {
+    key.default_text = shortest(p.fallback());
+    if (!pure(p.unit)) key.default_text += std::string(" ") + p.unit;
+  }
+  return key;
+}
+
+template <class Model>
+std::vector<Key> keys_of_model(bool may_require = true) {
+  std::vector<Key> keys;
+  for (const auto& p : Model::parameters()) keys.push_back(key_of(p, may_require && p.required()));
+  return keys;
+}
+
+template <class Model>
+void take(Model& model, const Record& record) {
+  for (const auto& p : Model::parameters())
+    if (record.good(p.name)) model.*p.member = record.number(p.name);
+}
+
+/// Calls f(model) with a default-constructed model of each kind in the list.
+template <class Variant, class F>
+void for_each_model(const F& f) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (f(std::variant_alternative_t<I, Variant>{}), ...); }
+  (std::make_index_sequence<std::variant_size_v<Variant>>{});
+}
+
+template <class Variant>
+Key kind_key(const char* doc) {
+  Key key{.name = "kind", .type = Key::Type::choice, .required = true, .doc = doc};
+  for_each_model<Variant>([&](const auto& model) { key.choices.push_back(model.kind); });
+  return key;
+}
+
+constexpr const char* eos_doc = "which equation of state";
+constexpr const char* strength_doc = "which strength model";
+
+std::vector<Key> top_keys(bool in_case) {
+  std::vector<Key> keys{
+      {.name = "title", .type = Key::Type::text, .doc = "one line for people"},
+      {.name = "cite", .type = Key::Type::texts, .doc = "sources of the numbers"},
+      {.name = "eos", .type = Key::Type::table, .required = true, .doc = "equation of state"},
+      {.name = "strength", .type = Key::Type::table, .required = true, .doc = "strength"},
+      {.name = "thermal", .type = Key::Type::table, .required = true, .doc = "heat and temperature"},
+      {.name = "facts", .type = Key::Type::table, .doc = "for checks of plausibility only"}};
+  if (in_case) {
+    const char* doc = "a material of the library or of this case that this one changes";
+    keys.insert(keys.begin(),
+                {.name = "base", .type = Key::Type::text, .doc = doc, .example = "copper/seed"});
+    for (Key& key : keys) key.required = false;
+  }
+  return keys;
+}
+
+std::vector<Key> thermal_keys() {
+  std::vector<Key> keys = keys_of_model<Thermal>();
+  keys.insert(keys.begin(), {.name = "temperature",
+                             .type = Key::Type::choice,
+                             .default_text = "plastic-work",
+                             .doc = "from plastic work alone, or from the internal energy",
+                             .choices = {"plastic-work", "energy"}});
+  return keys;
+}
+
+/// A table reduced to the children that `keep` accepts.
+template <class F>
+Node reduced(Node table, const F& keep) {
+  std::erase_if(table.children, [&](const Node& child) { return !keep(child.key); });
+  return table;
+}
+
+/// Reads [eos] or [strength]: `kind` first, then the keys of that model.
+template <class Variant>
+void read_model(const Node& table, const char* doc, Variant& into, Diagnostics& out) {
+  const std::vector<Key> only{kind_key<Variant>(doc)};
+  const Node kind_part = reduced(table, [](const std::string& key) { return key == "kind"; });
+  const std::string kind = [&] {
+    const Record record = read_record(kind_part, only, out);
+    return record.good("kind") ? record.text("kind") : std::string();
+  }();
+  const Node rest = reduced(table, [](const std::string& key) { return key != "kind"; });
+  for_each_model<Variant>([&](auto model) {
+    if (kind != model.kind) return;
+    const std::vector<Key> keys = keys_of_model<decltype(model)>();
+    const Record record = read_record(rest, keys, out);
+    take(model, record);
+    if constexpr (requires { model.problem(); })
+      if (const char* problem = model.problem()) out.error(table.key_place, problem);
+    into = model;
+  });
+}
+
+Thermal read_thermal(const Node& table, Diagnostics& out) {
+  const std::vector<Key> keys = thermal_keys();
+  const Record record = read_record(table, keys, out);
+  Thermal thermal;
+  take(thermal, record);
+  if (record.text("temperature") == "energy") thermal.rule = Thermal::Rule::energy;
+  return thermal;
+}
+
+Facts read_facts(const Node& table, Diagnostics& out) {
+  const std::vector<Key> keys = keys_of_model<Facts>(false);
+  Facts facts;
+  take(facts, read_record(table, keys, out));
+  return facts;
+}
+
+std::string kind_of(const Node& material, const char* part) {
+  const Node* table = material.find(part);
+  const Node* kind = table ? table->find("kind") : nullptr;
+  return kind && kind->is_text() ? kind->text : std::string();
+}
+
+/// Drops from base's part those keys that the kind chosen by `over` does not have.
+template <class Variant>
+void keep_common(Node& base, const Node& over, const char* part) {
+  const std::string kind = kind_of(over, part);
+  Node* table = base.find(part);
+  if (!table || kind.empty() || kind == kind_of(base, part)) return;
+  for_each_model<Variant>([&](const auto& model) {
+    if (kind != model.kind) return;
+    *table = reduced(std::move(*table), [&](const std::string& key) {
+      const auto list = model.parameters();
+      return std::any_of(list.begin(), list.end(), [&](const auto& p) { return key == p.name; });
+    });
+  });
+}
+
+struct Search {
+  const config::Document* own;
+  const std::filesystem::path& directory;
+  Diagnostics& out;
+  std::vector<std::string> way;  // names met so far, to find circles
+};
+
+void report_unknown(const std::string& name, const Search& search, const Place& place) {
+  std::vector<std::string> known;
+  if (search.own) known = search.own->names("material");
+  for (std::string& n : list_materials(search.directory)) known.push_back(std::move(n));
+  std::string help = did_you_mean(name, known, 3);
+  if (help.empty()) {
+    help = known.empty() ? "no materials in '" + search.directory.string() + "'" : "known:";
+    for (std::size_t i = 0; i < known.size(); ++i) help += (i > 0 ? ", " : " ") + known[i];
+  }
+  search.out.error(place, "unknown material '" + name + "'", help);
+}
+
+const Node* own_table(const Search& search, const std::string& name) {
+  const Node* all = search.own ? search.own->find("material") : nullptr;
+  return all ? all->find(name) : nullptr;
+}
+
+std::optional<Node> table_of(const std::string& name, Search& search, const Place& place);
+
+/// A table of the case with its base below it.
+std::optional<Node> with_base(const Node& table, Search& search) {
+  const Node* base_name = table.find("base");
+  Node over = reduced(table, [](const std::string& key) { return key != "base"; });
+  if (!base_name) return over;
+  if (!base_name->is_text()) {
+    search.out.error(base_name->place, "'base' must be the name of a material, not " + describe(*base_name));
+    return std::nullopt;
+  }
+  std::optional<Node> base = table_of(base_name->text, search, base_name->place);
+  if (!base) return std::nullopt;
+  keep_common<Eos>(*base, over, "eos");
+  keep_common<Strength>(*base, over, "strength");
+  return merged(*base, over);
+}
+
+std::optional<Node> table_of(const std::string& name, Search& search, const Place& place) {
+  const Node* own = own_table(search, name);
+  // A case may call its own variant by the library's name: then its base means the library's.
+  const bool met = std::find(search.way.begin(), search.way.end(), name) != search.way.end();
+  if (own && !met) {
+    if (!own->is_table()) {
+      search.out.error(own->place, "'" + own->path + "' must be a table, not " + describe(*own));
+      return std::nullopt;
+    }
+    search.way.push_back(name);
+    return with_base(*own, search);
+  }
+  const std::vector<std::string> names = list_materials(search.directory);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    if (met)
+      search.out.error(place, "material '" + name + "' is its own base");
+    else
+      report_unknown(name, search, place);
+    return std::nullopt;
+  }
+  return read_document((search.directory / (name + ".toml")).string(), search.out).root;
+}
+
+template <class Model>
+std::string lines_of(const Model& model) {
+  std::string text;
+  for (const auto& p : Model::parameters()) {
+    const double value = model.*p.member;
+    if (!std::isnan(value)) text += std::string(p.name) + " = " + written(p, value) + "\n";
+  }
+  return text;
+}
+
+template <class Variant>
+std::string model_lines(const Variant& variant) {
+  return std::visit(
+      [](const auto& model) { return "kind = \"" + std::string(model.kind) + "\"\n" + lines_of(model); },
+      variant);
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
+template <class Variant>
+void add_sections(std::vector<config::Section>& all, const std::string& name, const char* doc) {
+  for_each_model<Variant>([&](const auto& model) {
+    std::vector<Key> keys = keys_of_model<std::decay_t<decltype(model)>>();
+    keys.insert(keys.begin(), kind_key<Variant>(doc));
+    all.push_back({name, model.doc, std::move(keys), model.kind});
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> list_materials(const std::filesystem::path& directory) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (fs::recursive_directory_iterator it(directory, failed), end; !failed && it != end;
+       it.increment(failed))
+    if (it->path().extension() == ".toml")
+      names.push_back(it->path().lexically_relative(directory).replace_extension().generic_string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::optional<Material> read_material(const std::string& name, const Node& table, Diagnostics& out) {
+  const int errors = out.error_count();
+  const std::vector<Key> keys = top_keys(false);
+  const Record record = read_record(table, keys, out);
+  Material material;
+  material.name = name;
+  material.title = record.text("title");
+  material.cite = record.texts("cite");
+  if (record.good("eos")) read_model(*record.node("eos"), eos_doc, material.eos, out);
+  if (record.good("strength")) read_model(*record.node("strength"), strength_doc, material.strength, out);
+  if (record.good("thermal")) material.thermal = read_thermal(*record.node("thermal"), out);
+  if (record.good("facts")) material.facts = read_facts(*record.node("facts"), out);
+  if (out.error_count() > errors) return std::nullopt;
+  return material;
+}
+
+std::optional<Material> find_material(const std::string& name, const config::Document* own,
+                                      const std::filesystem::path& directory, Diagnostics& out,
+                                      const Place& place) {
+  Search search{own, directory, out, {}};
+  const int errors = out.error_count();
+  const std::optional<Node> table = table_of(name, search, place);
+  if (!table || out.error_count() > errors) return std::nullopt;
+  return read_material(name, *table, out);
+}
+
+std::vector<config::Section> material_sections() {
+  std::vector<config::Section> all;
+  all.push_back({"material.*", "a material of this case", top_keys(true)});
+  add_sections<Eos>(all, "material.*.eos", eos_doc);
+  add_sections<Strength>(all, "material.*.strength", strength_doc);
+  all.push_back({"material.*.thermal", "heat and temperature", thermal_keys()});
+  all.push_back({"material.*.facts", "for checks of plausibility only", keys_of_model<Facts>(false)});
+  return all;
+}
+
+std::string to_toml(const Material& m, const std::string& table) {
+  const std::string prefix = table.empty() ? "" : table + ".";
+  std::string text = table.empty() ? "" : "[" + table + "]\n";
+  text += "title = " + quoted(m.title) + "\ncite = [";
+  for (std::size_t i = 0; i < m.cite.size(); ++i) text += (i > 0 ? ", " : "") + quoted(m.cite[i]);
+  text += "]\n\n[" + prefix + "eos]\n" + model_lines(m.eos);
+  text += "\n[" + prefix + "strength]\n" + model_lines(m.strength);
+  const bool by_energy = m.thermal.rule == Thermal::Rule::energy;
+  text += "\n[" + prefix + "thermal]\ntemperature = " + (by_energy ? "\"energy\"\n" : "\"plastic-work\"\n");
+  text += lines_of(m.thermal);
+  const std::string facts = lines_of(m.facts);
+  if (!facts.empty()) text += "\n[" + prefix + "facts]\n" + facts;
+  return text;
+}
+
+}  // namespace recoil

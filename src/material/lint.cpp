@@ -1,0 +1,94 @@
+#include "material/lint.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <variant>
+
+namespace recoil {
+
+namespace {
+
+using Findings = std::vector<Suspicion>;
+
+std::string number(double x, const char* unit) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.4g%s%s", x, *unit ? " " : "", unit);
+  return buffer;
+}
+
+/// Dulong and Petit: 3 R per mole of atoms. Without a molar mass the heat per volume decides, which for
+/// solids lies within a factor of about two of 3 MJ/(m3 K).
+void check_heat(const Material& m, Findings& out) {
+  const double c = m.thermal.specific_heat;
+  const std::string value = "specific heat " + number(c, "J/(kg K)");
+  if (m.facts.molar_mass > 0) {
+    const double expected = 3 * 8.314462618 / m.facts.molar_mass;
+    if (c < 0.6 * expected || c > 1.7 * expected)
+      out.push_back({value + " is " + number(c / expected, "") + " times the rule of Dulong and Petit",
+                     "3 R/M is " + number(expected, "J/(kg K)") + "; are two materials exchanged?"});
+  } else if (const double volumetric = c * density(m); volumetric < 1.1e6 || volumetric > 5.5e6) {
+    out.push_back({value + " is unusual for " + number(density(m), "kg/m3"),
+                   "c rho is " + number(volumetric / 1e6, "MJ/(m3 K)") + "; solids have 1.1 to 5.5"});
+  }
+}
+
+void check_moduli(const Material& m, Findings& out) {
+  const double g = shear_modulus(m);
+  if (!(g > 0)) return;
+  const double c0 = bulk_sound_speed(m), k = density(m) * c0 * c0;
+  const double implied = (3 * k - 2 * g) / (6 * k + 2 * g);
+  const std::string values = "shear modulus " + number(g / 1e9, "GPa") + " and bulk modulus rho c0^2 " +
+                             number(k / 1e9, "GPa") + " give Poisson's ratio " + number(implied, "");
+  if (implied < 0.05 || implied > 0.49) {
+    out.push_back({values, "metals have 0.2 to 0.45"});
+    return;
+  }
+  const double nu = m.facts.poisson_ratio;
+  if (std::isnan(nu)) return;
+  const double from_nu = 1.5 * k * (1 - 2 * nu) / (1 + nu);
+  if (std::fabs(from_nu - g) > 0.12 * g)
+    out.push_back({values + ", but poisson-ratio is " + number(nu, ""),
+                   "that would need a shear modulus of " + number(from_nu / 1e9, "GPa")});
+}
+
+void check_yield(const Material& m, Findings& out) {
+  const double t = m.thermal.initial_temperature;
+  const double y = std::visit([&](const auto& s) { return s.yield(0, 0, t); }, m.strength);
+  const double g = shear_modulus(m);
+  if (!(g > 0) || std::isinf(y)) return;
+  if (y > 5e9 || y > 0.1 * g)
+    out.push_back({"yield stress " + number(y / 1e9, "GPa") + " is implausible",
+                   "no metal exceeds about 5 GPa, nor a tenth of its shear modulus; 0.4 GPa is 0.004 Mbar"});
+}
+
+void check_melting(const Material& m, Findings& out) {
+  const auto* jc = std::get_if<JohnsonCook>(&m.strength);
+  if (jc && m.thermal.initial_temperature >= jc->melting_temperature)
+    out.push_back({"initial temperature " + number(m.thermal.initial_temperature, "K") +
+                       " is not below the melting temperature " + number(jc->melting_temperature, "K"),
+                   "the material starts without strength"});
+}
+
+void check_hugoniot(const Material& m, Findings& out) {
+  const auto* eos = std::get_if<MieGruneisen>(&m.eos);
+  if (!eos) return;
+  if (eos->s < 0.8 || eos->s > 2.2)
+    out.push_back(
+        {"slope s " + number(eos->s, "") + " of the Hugoniot is unusual", "solids have 0.8 to 2.2"});
+  if (eos->gamma0 < 0.3 || eos->gamma0 > 3.5)
+    out.push_back({"gamma0 " + number(eos->gamma0, "") + " is unusual", "solids have 0.3 to 3.5"});
+}
+
+}  // namespace
+
+std::vector<Suspicion> lint(const Material& material) {
+  Findings out;
+  check_heat(material, out);
+  check_moduli(material, out);
+  check_yield(material, out);
+  check_melting(material, out);
+  check_hugoniot(material, out);
+  return out;
+}
+
+}  // namespace recoil
