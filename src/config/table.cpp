@@ -16,11 +16,11 @@ namespace {
 
 bool dimensionless(const std::string& unit) { return unit.empty() || unit == "1"; }
 
-/// The unit of an example such as "0.05 mm", or the SI unit.
+/// The unit of an example such as "0.05 mm" or { x = "450 m/s" }, or the SI unit.
 std::string usual_unit(const std::string& example, const std::string& si) {
-  const std::size_t blank = example.find(' ');
-  const std::size_t end = example.find_first_of("\",", blank + 1);
-  return blank == std::string::npos ? si : example.substr(blank + 1, end - blank - 1);
+  const std::size_t blank = example.find(' ', example.find_first_of("0123456789"));
+  if (blank == std::string::npos) return si;
+  return example.substr(blank + 1, example.find_first_of("\",", blank) - blank - 1);
 }
 
 std::string in_table(const Node& table) { return table.path.empty() ? "" : " in [" + table.path + "]"; }
@@ -274,6 +274,11 @@ std::array<double, 2> Record::range(std::string_view name) const {
 Place Record::place(std::string_view name) const {
   const Value& v = value(name);
   return v.node ? v.node->place : place_;
+}
+
+Place Record::key_place(std::string_view name) const {
+  const Value& v = value(name);
+  return v.node ? v.node->key_place : place_;
 }
 
 }  // namespace recoil::config

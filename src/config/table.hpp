@@ -36,6 +36,8 @@ class Record {
 
   /// Of the value; where the key was not given, of the table.
   Place place(std::string_view name) const;
+  /// Of the key itself; where it was not given, of the table.
+  Place key_place(std::string_view name) const;
   const Place& place() const { return place_; }
 
  private:

@@ -1,0 +1,125 @@
+#include "config/read_expect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/table.hpp"
+#include "config/units.hpp"
+
+namespace recoil::config {
+
+namespace {
+
+/// A value of any dimension; a bare number is a ratio or a count.
+Quantity read_any(const Node& node, const std::string& name, Diagnostics& out) {
+  Quantity q;
+  if (node.is_number() && std::isfinite(node.number)) {
+    q.value = q.written = node.number;
+    return q;
+  }
+  if (node.is_text()) {
+    q = parse_any_quantity(node.text, name);
+  } else {
+    q.problem = fmt::format("'{}' needs a number or a quantity, but is {}", name, describe(node));
+  }
+  if (!q.ok()) out.error(node.place, q.problem, q.help);
+  return q;
+}
+
+/// How far off the value may be, in SI and absolute.
+double read_tolerance(const Node& node, const Quantity& value, Diagnostics& out) {
+  const Quantity q = read_any(node, "within", out);
+  if (!q.ok()) return 0;
+  if (q.value < 0) {
+    out.error(node.place, "'within' must be at least 0");
+    return 0;
+  }
+  if (q.unit == "%" && value.unit != "%") {
+    if (value.value == 0) {
+      out.error(node.place, "a percentage of the value 0 is no tolerance",
+                "give 'within' in the unit of the value");
+    }
+    return q.value * std::abs(value.value);
+  }
+  const std::string needed = dimension_name(value.unit), given = dimension_name(q.unit);
+  if (needed != given) {
+    out.error(node.place, fmt::format("'within' has dimension [{}], but the value has [{}]", given, needed),
+              "give a percentage, or the unit of the value");
+    return 0;
+  }
+  // A tolerance is a difference: 2 degC are 2 K.
+  return q.unit.empty() ? q.value : q.written * unit_size(q.unit);
+}
+
+void read_limits(const Node& node, const Record& record, Expectation& e, Diagnostics& out) {
+  const char* name = record.has("at-most") ? "at-most" : record.has("at-least") ? "at-least" : "value";
+  const int given = record.has("at-most") + record.has("at-least") + record.has("value");
+  if (given != 1) {
+    out.error(node.key_place, fmt::format("'{}' needs one of value, at-most, at-least", e.quantity),
+              R"(e.g. { value = "0.695 us", within = "3 %" })");
+    return;
+  }
+  const Quantity q = read_any(*record.node(name), name, out);
+  e.value = q.value;
+  e.unit = q.unit;
+  e.at_most = record.has("at-most");
+  e.at_least = record.has("at-least");
+  const bool two_sided = record.has("value");
+  if (record.has("within") && !two_sided)
+    out.error(record.key_place("within"), fmt::format("'within' goes with 'value', not with '{}'", name));
+  if (two_sided && !record.has("within"))
+    out.error(node.key_place, fmt::format("'{}' has a value, but 'within' is missing", e.quantity),
+              "say how far off it may be: within = \"3 %\"");
+  if (two_sided && record.has("within") && q.ok())
+    e.tolerance = read_tolerance(*record.node("within"), q, out);
+}
+
+/// A name with dots that was written without quotes comes as tables in tables.
+bool is_part_of_a_name(const Node& node) {
+  const auto deeper = [](const Node& child) { return child.is_table() || child.is_flag(); };
+  return node.is_table() && !node.children.empty() &&
+         std::all_of(node.children.begin(), node.children.end(), deeper);
+}
+
+void read_entry(const Node& node, const std::string& quantity, Diagnostics& out,
+                std::vector<Expectation>& found) {
+  if (is_part_of_a_name(node)) {
+    for (const Node& child : node.children) read_entry(child, quantity + '.' + child.key, out, found);
+    return;
+  }
+  Expectation e;
+  e.quantity = quantity;
+  e.place = node.key_place;
+  if (node.is_flag()) {
+    e.is_flag = true;
+    e.flag = node.flag;
+  } else if (node.is_table()) {
+    const Record record = read_record(node, keys_of("expect.*"), out);
+    read_limits(node, record, e, out);
+    e.source = record.text("source");
+    e.why = record.text("why");
+  } else {
+    out.error(node.place,
+              fmt::format("'{}' needs a table, true or false, but is {}", quantity, describe(node)),
+              R"(e.g. { value = "0.695 us", within = "3 %" })");
+    return;
+  }
+  found.push_back(std::move(e));
+}
+
+}  // namespace
+
+std::vector<Expectation> read_expectations(const Node& table, Diagnostics& out) {
+  std::vector<Expectation> found;
+  for (const Node& child : table.children) read_entry(child, child.key, out, found);
+  return found;
+}
+
+std::vector<Expectation> read_expectations(const Document& document, Diagnostics& out) {
+  const Node* table = document.find("expect");
+  return read_expectations(table ? *table : document.root, out);
+}
+
+}  // namespace recoil::config
