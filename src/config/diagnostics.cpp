@@ -1,6 +1,7 @@
 #include "config/diagnostics.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "core/error.hpp"
@@ -74,10 +75,16 @@ std::string Diagnostics::text(const Diagnostic& one) const {
 }
 
 std::string Diagnostics::text() const {
+  std::vector<const Diagnostic*> ordered;
+  for (const Diagnostic& one : list_) ordered.push_back(&one);
+  std::stable_sort(ordered.begin(), ordered.end(), [](const Diagnostic* a, const Diagnostic* b) {
+    const Place &p = a->place, &q = b->place;
+    return std::tie(p.file, p.line, p.column) < std::tie(q.file, q.line, q.column);
+  });
   std::string out;
-  for (const Diagnostic& one : list_) {
+  for (const Diagnostic* one : ordered) {
     if (!out.empty()) out += '\n';
-    out += text(one);
+    out += text(*one);
   }
   return out;
 }

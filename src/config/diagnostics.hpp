@@ -35,7 +35,7 @@ class Diagnostics {
   int error_count() const { return errors_; }
   const std::vector<Diagnostic>& list() const { return list_; }
 
-  /// All messages in the order in which they were reported, each with its source line, a caret and its cure.
+  /// All messages in the order of their places, each with its source line, a caret and its cure.
   std::string text() const;
   /// One message in the same form.
   std::string text(const Diagnostic& one) const;

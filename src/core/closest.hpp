@@ -34,20 +34,28 @@ inline int edit_distance(std::string_view a, std::string_view b) {
 }
 
 /// Up to `count` of the candidates that `word` may have been meant as, the nearest first: those within a
-/// third of the word's length, and those that begin with it or contain it.
+/// third of the word's length, and those that contain it. Of equally near ones those that look alike come
+/// first.
 inline std::vector<std::string> nearest(std::string_view word, std::span<const std::string> candidates,
                                         std::size_t count = 3) {
-  std::vector<std::pair<int, std::string>> found;
+  struct Found {
+    int distance, unlike;
+    const std::string* name;
+  };
+  std::vector<Found> found;
   const int reach = std::max(1, static_cast<int>(word.size()) / 3);
   for (const std::string& c : candidates) {
     const int d = edit_distance(word, c);
     const bool inside = word.size() >= 3 && c.find(word) != std::string::npos;
-    if (d <= reach || inside) found.emplace_back(inside ? std::min(d, reach) : d, c);
+    const bool other_start = word.empty() || c.empty() || word[0] != c[0];
+    if (d <= reach || inside)
+      found.push_back({inside ? std::min(d, reach) : d, 2 * other_start + (word.size() != c.size()), &c});
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& p, const auto& q) { return p.first < q.first; });
+  std::stable_sort(found.begin(), found.end(), [](const Found& p, const Found& q) {
+    return p.distance != q.distance ? p.distance < q.distance : p.unlike < q.unlike;
+  });
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(count, found.size()); ++i) names.push_back(found[i].second);
+  for (std::size_t i = 0; i < std::min(count, found.size()); ++i) names.push_back(*found[i].name);
   return names;
 }
 
