@@ -1,0 +1,109 @@
+#include "material/hugoniot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "samples.hpp"
+
+namespace recoil {
+namespace {
+
+using samples::aluminium;
+using samples::copper;
+using samples::hydro;
+
+/// Matching two straight U_s-u_p lines by hand: 134.05 m/s, 4.956 GPa.
+TEST(Hugoniot, PlatesWithoutStrength) {
+  const Impact i = match_impact(hydro(aluminium()), hydro(copper()), 450);
+  EXPECT_NEAR(i.velocity, 134.05, 0.005);
+  EXPECT_NEAR(i.stress / 1e9, 4.956, 0.0006);
+  EXPECT_NEAR(i.target.shock_speed, 3940 + 1.49 * i.velocity, 1e-6);
+  EXPECT_NEAR(i.flyer.shock_speed, 5386 + 1.339 * (450 - i.velocity), 1e-6);
+  EXPECT_FALSE(i.target.has_precursor);
+}
+
+/// Independent two-wave solution, confirmed by a converged Lagrangian run.
+TEST(Hugoniot, PlatesWithStrength) {
+  const Impact i = match_impact(aluminium(), copper(), 450);
+  EXPECT_NEAR(i.stress / 1e9, 5.0838, 0.0002);
+  EXPECT_NEAR(i.velocity, 133.69, 0.01);
+  ASSERT_TRUE(i.target.has_precursor);
+  EXPECT_NEAR(2 * i.target.precursor_velocity, 43.44, 0.02);
+  EXPECT_NEAR(15e-3 / i.target.precursor_speed * 1e6, 3.180, 0.001);
+  EXPECT_NEAR(match_impact(copper(), aluminium(), 450).velocity, 316.31, 0.01);
+}
+
+TEST(Hugoniot, SymmetricAluminiumUpToAnOverdrivenShock) {
+  const double speeds[] = {450, 1000, 1250, 1500, 1900};
+  const double stress[] = {3.5777, 8.2954, 10.6197, 13.0567, 17.1906};
+  for (int k = 0; k < 5; ++k) {
+    const Impact i = match_impact(aluminium(), aluminium(), speeds[k]);
+    EXPECT_NEAR(i.stress / 1e9, stress[k], 2e-4 * stress[k]) << speeds[k];
+    EXPECT_NEAR(i.velocity, speeds[k] / 2, 1e-8);
+    EXPECT_EQ(i.target.has_precursor, speeds[k] < 1800);
+  }
+}
+
+/// Mass, momentum and energy across both fronts together.
+TEST(Hugoniot, FrontsConserveMassMomentumAndEnergy) {
+  for (const double u : {5.0, 30.0, 100.0, 400.0, 900.0}) {
+    const Material m = copper();
+    const ShockState s = shock_at_velocity(m, u);
+    EXPECT_NEAR(s.velocity, u, 1e-9 * u);
+    const double us = s.shock_speed, ue = s.precursor_velocity, c = s.precursor_speed;
+    const double ahead = s.has_precursor ? density(m) * c / (c - ue) : density(m);
+    EXPECT_NEAR(ahead * (us - ue), s.density * (us - u), 1e-9 * ahead * us);
+    EXPECT_NEAR(s.stress - s.precursor_stress, ahead * (us - ue) * (u - ue), 1e-9 * s.stress);
+    // Work of the face per mass swept: a budget over everything behind the precursor.
+    const double front = s.has_precursor ? c : us;
+    const double e_ahead = 0.5 * ue * ue;  // a shock from rest: e = u^2/2
+    const double mass_between = s.has_precursor ? ahead * (c - us) : 0, mass = s.density * (us - u);
+    EXPECT_NEAR(mass_between + mass, density(m) * front, 1e-9 * density(m) * front);
+    EXPECT_NEAR(s.stress * u, mass * (s.energy + 0.5 * u * u) + mass_between * (e_ahead + 0.5 * ue * ue),
+                1e-8 * s.stress * u);
+  }
+}
+
+TEST(Hugoniot, StateIsOnTheYieldSurface) {
+  const ShockState s = shock_at_velocity(aluminium(), 300);
+  EXPECT_NEAR(s.stress - s.pressure, 2.0 / 3 * s.yield, 1e-6 * s.yield);
+  EXPECT_NEAR(s.plastic_strain + s.yield / (3 * 26e9), 2.0 / 3 * std::log(s.density / 2700), 1e-9);
+  EXPECT_GT(s.temperature, 298);
+}
+
+TEST(Hugoniot, ElasticPlatesHaveOneWave) {
+  Material m = copper();
+  m.strength = Elastic{43.33e9};
+  const Impact i = match_impact(m, m, 20);
+  EXPECT_FALSE(i.target.has_precursor);
+  EXPECT_NEAR(i.target.shock_speed, longitudinal_speed(m), 20);
+  EXPECT_NEAR(i.stress, density(m) * longitudinal_speed(m) * 10, 0.01 * i.stress);
+}
+
+TEST(Hugoniot, EnergyTemperatureSoftensTheLimit) {
+  Material m = copper();
+  m.thermal.rule = Thermal::Rule::energy;
+  const ShockState warm = shock_at_velocity(m, 500), work = shock_at_velocity(copper(), 500);
+  EXPECT_GT(warm.temperature, work.temperature);
+  EXPECT_LT(warm.yield, work.yield);
+}
+
+TEST(Hugoniot, LighterFlyersLeave) {
+  const Material al = aluminium(), cu = copper();
+  EXPECT_TRUE(flyer_leaves(match_impact(al, cu, 450), al, cu));
+  EXPECT_FALSE(flyer_leaves(match_impact(cu, al, 450), cu, al));
+  EXPECT_FALSE(flyer_leaves(match_impact(cu, cu, 450), cu, cu));
+  const Impact i = match_impact(al, cu, 450);
+  EXPECT_NEAR(unloading_time(i.flyer, al, 2e-3), 0.695e-6, 0.05 * 0.695e-6)
+      << "converged Lagrangian solution";
+}
+
+TEST(Hugoniot, BeyondTheEquationOfStateIsAnError) {
+  EXPECT_THROW(shock_at_velocity(copper(), 80e3), PhysicsError);
+  EXPECT_EQ(shock_at_velocity(copper(), 0).stress, 0);
+}
+
+}  // namespace
+}  // namespace recoil

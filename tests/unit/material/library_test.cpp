@@ -1,0 +1,154 @@
+#include "material/library.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace recoil {
+namespace {
+
+const std::filesystem::path folder = std::filesystem::path(RECOIL_SOURCE_DIR) / "materials";
+
+struct Found {
+  std::optional<Material> material;
+  config::Diagnostics out;
+};
+
+/// Looks a name up, beside the tables of a case given as text.
+Found find(const std::string& name, const std::string& text = {}) {
+  Found found;
+  const config::Document own = config::parse_document(text, "case.toml", found.out);
+  found.material = find_material(name, &own, folder, found.out, {"case.toml", 1, 1, 1});
+  return found;
+}
+
+bool says(const Found& found, const std::string& word) {
+  return !found.material && found.out.text().find(word) != std::string::npos;
+}
+
+TEST(Library, EveryFileLoadsAndIsCited) {
+  std::ifstream file(folder / "references.bib");
+  std::stringstream references;
+  references << file.rdbuf();
+  const std::vector<std::string> names = list_materials(folder);
+  EXPECT_GE(names.size(), 9u);
+  for (const std::string& name : names) {
+    const Found found = find(name);
+    ASSERT_TRUE(found.material) << name << "\n" << found.out.text();
+    EXPECT_FALSE(found.material->title.empty()) << name;
+    EXPECT_FALSE(found.material->cite.empty()) << name;
+    for (const std::string& key : found.material->cite)
+      EXPECT_NE(references.str().find("{" + key + ","), std::string::npos) << name << " cites " << key;
+    EXPECT_TRUE(found.out.list().empty()) << found.out.text();
+  }
+}
+
+TEST(Library, ReadsValuesInSi) {
+  const Found found = find("copper/seed");
+  ASSERT_TRUE(found.material) << found.out.text();
+  EXPECT_EQ(found.material->name, "copper/seed");
+  const auto& eos = std::get<MieGruneisen>(found.material->eos);
+  EXPECT_EQ(eos.rho0, 8930);
+  EXPECT_EQ(eos.s, 1.49);
+  const auto& jc = std::get<JohnsonCook>(found.material->strength);
+  EXPECT_NEAR(jc.shear_modulus, 43.33e9, 1);
+  EXPECT_NEAR(jc.b, 177e6, 1e-3);
+  EXPECT_EQ(jc.reference_temperature, 298);
+  EXPECT_EQ(found.material->thermal.specific_heat, 383.5);
+  EXPECT_EQ(found.material->thermal.rule, Thermal::Rule::plastic_work);
+  EXPECT_NEAR(found.material->facts.molar_mass, 0.063546, 1e-9);
+}
+
+TEST(Library, CaseChangesSingleValues) {
+  const Found found = find("mine",
+                           "[material.mine]\nbase = \"copper/seed\"\nstrength.c = 0\n"
+                           "thermal.temperature = \"energy\"\n");
+  ASSERT_TRUE(found.material) << found.out.text();
+  const auto& jc = std::get<JohnsonCook>(found.material->strength);
+  EXPECT_EQ(jc.c, 0);
+  EXPECT_NEAR(jc.a, 400e6, 1e-3);
+  EXPECT_EQ(found.material->thermal.rule, Thermal::Rule::energy);
+  EXPECT_EQ(found.material->cite, std::vector<std::string>{"seed"});
+}
+
+TEST(Library, CaseChangesTheKindAndKeepsWhatBothHave) {
+  const Found fluid = find("wet", "[material.wet]\nbase = \"copper/seed\"\nstrength = { kind = \"none\" }\n");
+  ASSERT_TRUE(fluid.material) << fluid.out.text();
+  EXPECT_TRUE(std::holds_alternative<NoStrength>(fluid.material->strength));
+  const Found stiff =
+      find("stiff", "[material.stiff]\nbase = \"copper/seed\"\nstrength = { kind = \"elastic\" }\n");
+  ASSERT_TRUE(stiff.material) << stiff.out.text();
+  EXPECT_NEAR(std::get<Elastic>(stiff.material->strength).shear_modulus, 43.33e9, 1);
+}
+
+TEST(Library, CaseDefinesAMaterialOfItsOwnAndABaseOfABase) {
+  const std::string text = R"toml(
+[material.goo]
+eos = { kind = "linear", density = "1 g/cm3", bulk-modulus = "2.2 GPa" }
+strength = { kind = "none" }
+thermal = { specific-heat = "4180 J/(kg K)" }
+[material.warm-goo]
+base = "goo"
+thermal.initial-temperature = "350 K"
+[material."copper/seed"]
+base = "copper/seed"
+strength.c = 0
+)toml";
+  const Found warm = find("warm-goo", text);
+  ASSERT_TRUE(warm.material) << warm.out.text();
+  EXPECT_NEAR(density(*warm.material), 1000, 1e-9);
+  EXPECT_EQ(warm.material->thermal.initial_temperature, 350);
+  const Found shadow = find("copper/seed", text);
+  ASSERT_TRUE(shadow.material) << shadow.out.text();
+  EXPECT_EQ(std::get<JohnsonCook>(shadow.material->strength).c, 0);
+}
+
+TEST(Library, MistakesNameTheirCure) {
+  EXPECT_TRUE(says(find("coper/seed"), "copper/seed"));
+  EXPECT_TRUE(says(find("coper/seed"), "unknown material 'coper/seed'"));
+  EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"steel/4341\"\n"), "steel/4340"));
+  EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"x\"\n"), "its own base"));
+  EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"y\"\n[material.y]\nbase = \"x\"\n"), "its own base"));
+  EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"copper/seed\"\nstrength.kind = \"jonson-cook\"\n"),
+                   "johnson-cook"));
+  EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"copper/seed\"\nstrength.cc = 0\n"), "cc"));
+  EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"copper/seed\"\nstrength.a = \"3 m\"\n"), "pressure"));
+  EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"copper/seed\"\nstrength.a = 3\n"), "case.toml:3"));
+  EXPECT_TRUE(says(find("x", "[material.x]\ntitle = \"nothing\"\n"), "eos"));
+  EXPECT_TRUE(
+      says(find("x", "[material.x]\nbase = \"copper/seed\"\nstrength.melting-temperature = \"250 K\"\n"),
+           "reference-temperature"));
+  EXPECT_TRUE(says(find("x",
+                        "[material.x]\nbase = \"copper/seed\"\n"
+                        "strength = { kind = \"perfectly-plastic\" }\n"),
+                   "yield"));
+}
+
+TEST(Library, WritesWhatItReads) {
+  for (const std::string& name : list_materials(folder)) {
+    const Found first = find(name);
+    ASSERT_TRUE(first.material);
+    const std::string text = to_toml(*first.material, "material.again");
+    const Found second = find("again", text);
+    ASSERT_TRUE(second.material) << second.out.text();
+    EXPECT_EQ(to_toml(*second.material, "material.again"), text);
+  }
+}
+
+TEST(Library, SectionsCoverEveryModel) {
+  std::set<std::string> kinds;
+  for (const config::Section& s : material_sections()) {
+    EXPECT_FALSE(s.doc.empty());
+    if (!s.kind.empty()) kinds.insert(s.kind);
+    for (const config::Key& k : s.keys) EXPECT_FALSE(k.doc.empty()) << s.name << " " << k.name;
+  }
+  EXPECT_EQ(kinds.size(), std::variant_size_v<Eos> + std::variant_size_v<Strength>);
+}
+
+TEST(Library, MissingFolderHasNoMaterials) { EXPECT_TRUE(list_materials(folder / "nowhere").empty()); }
+
+}  // namespace
+}  // namespace recoil

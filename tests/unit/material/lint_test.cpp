@@ -1,0 +1,70 @@
+#include "material/lint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "material/library.hpp"
+#include "samples.hpp"
+
+namespace recoil {
+namespace {
+
+bool finds(const Material& m, const std::string& word) {
+  for (const Suspicion& s : lint(m))
+    if (s.message.find(word) != std::string::npos && !s.help.empty()) return true;
+  return false;
+}
+
+TEST(Lint, IsSilentOnTheLibrary) {
+  const std::filesystem::path folder = std::filesystem::path(RECOIL_SOURCE_DIR) / "materials";
+  for (const std::string& name : list_materials(folder)) {
+    config::Diagnostics out;
+    const auto m = find_material(name, nullptr, folder, out, {});
+    ASSERT_TRUE(m) << out.text();
+    for (const Suspicion& s : lint(*m)) ADD_FAILURE() << name << ": " << s.message << " (" << s.help << ")";
+  }
+}
+
+TEST(Lint, FindsTheExchangedSpecificHeatsOfThePaper) {
+  Material tungsten = samples::copper();
+  tungsten.eos = MieGruneisen{17600, 4030, 1.24, 1.43};
+  tungsten.strength = JohnsonCook{124e9, 1510e6, 177e6, .12, .016, 1.0, 1777};
+  tungsten.thermal.specific_heat = 477;
+  tungsten.facts.molar_mass = 0.165;
+  EXPECT_TRUE(finds(tungsten, "Dulong"));
+  tungsten.facts.molar_mass = unset;
+  EXPECT_TRUE(finds(tungsten, "specific heat"));
+  tungsten.thermal.specific_heat = 134;
+  EXPECT_FALSE(finds(tungsten, "specific heat"));
+}
+
+TEST(Lint, FindsContradictingModuli) {
+  Material m = samples::aluminium();
+  m.facts.poisson_ratio = 0.30;  // the paper's, beside G = 26 GPa
+  EXPECT_TRUE(finds(m, "poisson-ratio"));
+  m.facts.poisson_ratio = 0.35;
+  EXPECT_FALSE(finds(m, "poisson-ratio"));
+  m.strength = PerfectlyPlastic{500e9, 1e9};
+  EXPECT_TRUE(finds(m, "Poisson's ratio"));
+}
+
+TEST(Lint, FindsYieldOfTheWrongOrder) {
+  Material m = samples::copper();
+  m.strength = PerfectlyPlastic{43.33e9, 40e9};  // 0.4 Mbar for 0.4 GPa
+  EXPECT_TRUE(finds(m, "yield stress"));
+  m.strength = PerfectlyPlastic{43.33e9, 0.4e9};
+  EXPECT_FALSE(finds(m, "yield stress"));
+}
+
+TEST(Lint, FindsAMeltedStartAndOddHugoniots) {
+  Material m = samples::copper();
+  m.thermal.initial_temperature = 1400;
+  EXPECT_TRUE(finds(m, "melting"));
+  m.eos = MieGruneisen{8930, 3940, 3.2, 4.5};
+  EXPECT_TRUE(finds(m, "slope"));
+  EXPECT_TRUE(finds(m, "gamma0"));
+}
+
+}  // namespace
+}  // namespace recoil

@@ -1,0 +1,66 @@
+#include "material/temperature.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "samples.hpp"
+
+namespace recoil {
+namespace {
+
+TemperatureLaw by_energy(const Eos& eos) {
+  Thermal thermal;
+  thermal.rule = Thermal::Rule::energy;
+  thermal.specific_heat = 383.5;
+  return {thermal, eos};
+}
+
+TEST(Temperature, PlasticWorkRuleAddsTheHeat) {
+  Thermal thermal;
+  thermal.specific_heat = 400;
+  thermal.taylor_quinney = 0.9;
+  const TemperatureLaw law(thermal, Eos{});
+  EXPECT_EQ(law(9000, 1e5, 0), 298);
+  EXPECT_EQ(law(9000, 1e5, 12.5), 310.5);
+  EXPECT_NEAR(plastic_heating(thermal, 5e8, 0.1, 8000), 0.9 * 5e8 * 0.1 / (8000 * 400), 1e-12);
+}
+
+TEST(Temperature, RestIsAtTheStart) {
+  samples::for_each<Eos>([](const auto& eos) { EXPECT_NEAR(by_energy(eos)(eos.rho0, 0, 7), 298, 1e-9); });
+}
+
+TEST(Temperature, HeatAtRestDensityIsSpecificHeat) {
+  samples::for_each<Eos>(
+      [](const auto& eos) { EXPECT_NEAR(by_energy(eos)(eos.rho0, 38350, 0), 398, 1e-6) << eos.kind; });
+}
+
+/// de_s/drho = p/rho^2 by finite differences of the table.
+TEST(Temperature, IsentropeIsAdiabatic) {
+  samples::for_each<Eos>([](const auto& eos) {
+    const TemperatureLaw law = by_energy(eos);
+    for (const double x : {0.6, 0.9, 1.05, 1.3, 1.6}) {
+      const double rho = x * eos.rho0, h = 0.01 * eos.rho0;
+      const double slope = (law.isentrope(rho + h) - law.isentrope(rho - h)) / (2 * h);
+      const double exact = eos.pressure(rho, law.isentrope(rho)) / (rho * rho);
+      EXPECT_NEAR(slope, exact, 5e-3 * std::fabs(exact)) << eos.kind << " " << x;
+    }
+  });
+}
+
+TEST(Temperature, LinearMaterialIsColdOnItsElasticCurve) {
+  const LinearEos eos{8930, 130e9};
+  const TemperatureLaw law = by_energy(eos);
+  for (const double x : {0.8, 1.0, 1.2})
+    EXPECT_NEAR(law(x * eos.rho0, eos.energy(x * eos.rho0, 0), 0), 298, 0.01) << x;
+}
+
+TEST(Temperature, IsentropicCompressionHeatsByTheGrueneisenLaw) {
+  const MieGruneisen eos{8930, 3940, 1.49, 2.0};
+  const TemperatureLaw law = by_energy(eos);
+  const double rho = 1.2 * eos.rho0;
+  EXPECT_NEAR(law(rho, law.isentrope(rho), 0), 298 * std::exp(2.0 * (1 - 1 / 1.2)), 1e-6);
+}
+
+}  // namespace
+}  // namespace recoil
