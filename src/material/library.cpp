@@ -1,7 +1,6 @@
 #include "material/library.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "config/table.hpp"
 #include "core/closest.hpp"
+#include "material/model_keys.hpp"
 
 namespace recoil {
 
@@ -19,60 +19,7 @@ using config::Key;
 using config::Node;
 using config::Place;
 using config::Record;
-
-/// The shortest text that reads back as the same number.
-std::string shortest(double x) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x);
-  return std::string(buffer, end.ptr);
-}
-
-bool pure(const char* unit) { return std::string_view(unit) == "1"; }
-
-template <class Model>
-std::string written(const Parameter<Model>& p, double value) {
-  return pure(p.unit) ? shortest(value) : "\"" + shortest(value) + " " + p.unit + "\"";
-}
-
-template <class Model>
-Key key_of(const Parameter<Model>& p, bool required) {
-  Key key{.name = p.name, .type = Key::Type::quantity, .unit = p.unit, .doc = p.doc};
-  key.minimum = p.minimum;
-  key.maximum = p.maximum;
-  key.required = required;
-  if (!p.required()) {
-    key.default_text = shortest(p.fallback());
-    if (!pure(p.unit)) key.default_text += std::string(" ") + p.unit;
-  }
-  return key;
-}
-
-template <class Model>
-std::vector<Key> keys_of_model(bool may_require = true) {
-  std::vector<Key> keys;
-  for (const auto& p : Model::parameters()) keys.push_back(key_of(p, may_require && p.required()));
-  return keys;
-}
-
-template <class Model>
-void take(Model& model, const Record& record) {
-  for (const auto& p : Model::parameters())
-    if (record.good(p.name)) model.*p.member = record.number(p.name);
-}
-
-/// Calls f(model) with a default-constructed model of each kind in the list.
-template <class Variant, class F>
-void for_each_model(const F& f) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) { (f(std::variant_alternative_t<I, Variant>{}), ...); }
-  (std::make_index_sequence<std::variant_size_v<Variant>>{});
-}
-
-template <class Variant>
-Key kind_key(const char* doc) {
-  Key key{.name = "kind", .type = Key::Type::choice, .required = true, .doc = doc};
-  for_each_model<Variant>([&](const auto& model) { key.choices.push_back(model.kind); });
-  return key;
-}
+using namespace model_keys;
 
 constexpr const char* eos_doc = "which equation of state";
 constexpr const char* strength_doc = "which strength model";
@@ -81,9 +28,18 @@ std::vector<Key> top_keys(bool in_case) {
   std::vector<Key> keys{
       {.name = "title", .type = Key::Type::text, .doc = "one line for people"},
       {.name = "cite", .type = Key::Type::texts, .doc = "sources of the numbers"},
-      {.name = "eos", .type = Key::Type::table, .required = true, .doc = "equation of state"},
-      {.name = "strength", .type = Key::Type::table, .required = true, .doc = "strength"},
-      {.name = "thermal", .type = Key::Type::table, .required = true, .doc = "heat and temperature"},
+      {.name = "eos",
+       .type = Key::Type::table,
+       .required = true,
+       .doc = "equation of state: a table with its kind"},
+      {.name = "strength",
+       .type = Key::Type::table,
+       .required = true,
+       .doc = "strength: a table with its kind, at least { kind = \"none\" }"},
+      {.name = "thermal",
+       .type = Key::Type::table,
+       .required = true,
+       .doc = "heat and temperature: a table with at least the specific-heat"},
       {.name = "facts", .type = Key::Type::table, .doc = "for checks of plausibility only"}};
   if (in_case) {
     const char* doc = "a material of the library or of this case that this one changes";
