@@ -1,0 +1,156 @@
+#include "cutcell/clip.hpp"
+
+#include <algorithm>
+
+namespace recoil {
+
+namespace {
+
+Clip<1> clip_segment(double a, double b) {
+  Clip<1> c;
+  double lo = 0, hi = 1;
+  if ((a < 0) != (b < 0)) {
+    const double t = a / (a - b);
+    (a < 0 ? hi : lo) = t;
+    c.middle[0] = t;
+    c.crossings = 1;
+  } else if (a >= 0) {
+    hi = 0;
+  }
+  c.fraction = hi - lo;
+  c.centroid[0] = 0.5 * (lo + hi);
+  return c;
+}
+
+/// Corners in the order (0,0) (1,0) (0,1) (1,1). Opposite negative corners are joined.
+Clip<2> clip_square(const Corners<2>& v) {
+  constexpr std::array<std::array<double, 2>, 4> corner{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  constexpr std::array<std::size_t, 4> order{0, 1, 3, 2};
+  std::array<std::array<double, 2>, 8> p{};
+  std::size_t n = 0;
+  Clip<2> c;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    const double a = v[order[i]], b = v[order[j]];
+    if (a < 0) p[n++] = corner[i];
+    if ((a < 0) == (b < 0)) continue;
+    const double t = a / (a - b);
+    for (int d = 0; d < 2; ++d) {
+      const auto e = static_cast<std::size_t>(d);
+      p[n][e] = corner[i][e] + t * (corner[j][e] - corner[i][e]);
+      c.middle[d] += p[n][e];
+    }
+    ++n;
+    ++c.crossings;
+  }
+  if (c.crossings > 0) c.middle *= 1.0 / c.crossings;
+  double area = 0;
+  Vec<2> moment;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto &a = p[i], &b = p[(i + 1) % n];
+    const double cross = a[0] * b[1] - b[0] * a[1];
+    area += cross;
+    for (int d = 0; d < 2; ++d) moment[d] += (a[static_cast<std::size_t>(d)] + b[static_cast<std::size_t>(d)]) * cross;
+  }
+  c.fraction = 0.5 * area;
+  c.centroid = c.fraction > 1e-10 ? moment * (1 / (6 * c.fraction)) : c.middle;
+  for (int d = 0; d < 2; ++d) c.centroid[d] = std::clamp(c.centroid[d], 0.0, 1.0);
+  return c;
+}
+
+/// Mean and mean square of the crossings of all edges of a cube.
+void cross_edges(const Corners<3>& v, Clip<3>& c, Vec<3>& square) {
+  for (int corner = 0; corner < 8; ++corner)
+    for (int d = 0; d < 3; ++d) {
+      const int other = corner | 1 << d;
+      if (other == corner) continue;
+      const double a = v[static_cast<std::size_t>(corner)], b = v[static_cast<std::size_t>(other)];
+      if ((a < 0) == (b < 0)) continue;
+      for (int e = 0; e < 3; ++e) {
+        const double x = e == d ? a / (a - b) : static_cast<double>(corner >> e & 1);
+        c.middle[e] += x;
+        square[e] += x * x;
+      }
+      ++c.crossings;
+    }
+  if (c.crossings == 0) return;
+  c.middle *= 1.0 / c.crossings;
+  square *= 1.0 / c.crossings;
+}
+
+/// int x_i dV = 1/2 closed-int x_i^2 n_i dA, V = 1/3 closed-int x . n dA.
+Clip<3> clip_cube(const Corners<3>& v) {
+  Clip<3> c;
+  Vec<3> square, closing, moment;
+  cross_edges(v, c, square);
+  double volume = 0;
+  for (int d = 0; d < 3; ++d)
+    for (int side = 0; side < 2; ++side) {
+      const Clip<3> face = clip_face<3>(v, d, side);
+      const double flux = (side == 0 ? -1 : 1) * face.fraction;
+      closing[d] -= flux;
+      volume += flux * side;
+      moment[d] += 0.5 * flux * side;
+    }
+  for (int d = 0; d < 3; ++d) {
+    // The mean square over a polygon is about a third as far above the square of the mean as over its corners.
+    const double mean_square = c.middle[d] * c.middle[d] + (square[d] - c.middle[d] * c.middle[d]) / 3;
+    volume += closing[d] * c.middle[d];
+    moment[d] += 0.5 * closing[d] * mean_square;
+  }
+  c.fraction = std::clamp(volume / 3, 0.0, 1.0);
+  c.centroid = c.fraction > 1e-10 ? moment * (1 / c.fraction) : c.middle;
+  for (int d = 0; d < 3; ++d) c.centroid[d] = std::clamp(c.centroid[d], 0.0, 1.0);
+  return c;
+}
+
+}  // namespace
+
+template <>
+Clip<1> clip<1>(const Corners<1>& v) {
+  return clip_segment(v[0], v[1]);
+}
+
+template <>
+Clip<2> clip<2>(const Corners<2>& v) {
+  return clip_square(v);
+}
+
+template <>
+Clip<3> clip<3>(const Corners<3>& v) {
+  return clip_cube(v);
+}
+
+template <>
+Clip<1> clip_face<1>(const Corners<1>& v, int, int side) {
+  Clip<1> c;
+  c.fraction = v[static_cast<std::size_t>(side)] < 0 ? 1 : 0;
+  c.centroid[0] = side;
+  return c;
+}
+
+template <>
+Clip<2> clip_face<2>(const Corners<2>& v, int d, int side) {
+  const auto base = static_cast<std::size_t>(side << d);
+  const Clip<1> s = clip_segment(v[base], v[base + (d == 0 ? 2U : 1U)]);
+  Clip<2> c;
+  c.fraction = s.fraction;
+  c.centroid[d] = side;
+  c.centroid[1 - d] = s.centroid[0];
+  return c;
+}
+
+template <>
+Clip<3> clip_face<3>(const Corners<3>& v, int d, int side) {
+  const int e = d == 0 ? 1 : 0, f = d == 2 ? 1 : 2;
+  const auto at = [&](int a, int b) { return v[static_cast<std::size_t>(side << d | a << e | b << f)]; };
+  const Clip<2> s = clip_square({at(0, 0), at(1, 0), at(0, 1), at(1, 1)});
+  Clip<3> c;
+  c.fraction = s.fraction;
+  c.centroid[d] = side;
+  c.centroid[e] = s.centroid[0];
+  c.centroid[f] = s.centroid[1];
+  return c;
+}
+
+}  // namespace recoil

@@ -1,0 +1,257 @@
+#include "cutcell/geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cutcell/clip.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double shared_gap = 0.15;         // closer than this [dx], one surface cuts both
+constexpr double shared_contact_gap = 0.5;  // or than this beside cells in contact
+constexpr double off_node = 1e-6;           // a surface is kept this far [dx] from nodes
+
+/// phi at the nodes of one block for one body. Node i is the low corner of cell i.
+struct Nodes {
+  int body = 0;
+  bool rigid = false;
+  double* phi = nullptr;
+  std::uint32_t* contact = nullptr;  // bits of the partners of the cells around; null for rigid bodies
+};
+
+template <int Dim>
+Box<Dim> node_box(const Box<Dim>& cells) {
+  Box<Dim> b = cells;
+  for (int d = 0; d < Dim; ++d) ++b.hi[d];
+  return b;
+}
+
+/// Calls f(offset into the window) for the 2^Dim cells around a node.
+template <int Dim, class F>
+void around_node(const Window<Dim>& w, F&& f) {
+  for (int c = 0; c < 1 << Dim; ++c) {
+    int o = 0;
+    for (int d = 0; d < Dim; ++d) o -= (c >> d & 1) * w.stride(d);
+    f(o);
+  }
+}
+
+template <int Dim>
+Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt when, Scratch& scratch) {
+  const Body<Dim>& b = state.bodies[static_cast<std::size_t>(body)];
+  const auto cells = static_cast<std::size_t>(w.size());
+  const Box<Dim> nodes = node_box(w.inner());
+  Nodes n{body, b.rigid.has_value(), scratch.take<double>(static_cast<std::size_t>(nodes.size())), nullptr};
+  double* phi = scratch.take<double>(cells);
+  const double far = far_cells * state.grid().dx;
+  w.gather(
+      [&](int s) {
+        const auto& blk = b.at(s);
+        return !blk.present ? nullptr : when == PhiAt::midstep ? blk.phi_next.data() : blk.phi.data();
+      },
+      far, Beyond::extend, phi);
+  std::uint32_t* contact = nullptr;
+  if (!n.rigid) {
+    contact = scratch.take<std::uint32_t>(cells);
+    w.gather([&](int s) { return b.present(s) ? b.at(s).contact.data() : nullptr; }, std::uint32_t{0},
+             Beyond::extend, contact);
+    n.contact = scratch.take<std::uint32_t>(static_cast<std::size_t>(nodes.size()));
+  }
+  const double share = 1.0 / (1 << Dim), push = off_node * state.grid().dx;
+  int k = 0;
+  for_each(nodes, [&](const Index<Dim>& i) {
+    const int at = w.at(i);
+    double sum = 0;
+    std::uint32_t bits = 0;
+    around_node(w, [&](int o) {
+      sum += phi[at + o];
+      if (contact) bits |= contact[at + o];
+    });
+    const double value = share * sum;
+    n.phi[k] = std::abs(value) < push ? (value < 0 ? -push : push) : value;
+    if (contact) n.contact[k] = bits;
+    ++k;
+  });
+  return n;
+}
+
+/// One surface for the two nearest bodies of a node, where they touch.
+void share_node(std::vector<Nodes>& nodes, int k, double dx) {
+  Nodes *a = nullptr, *b = nullptr;  // the smallest and the second smallest phi
+  for (Nodes& n : nodes) {
+    if (!a || n.phi[k] < a->phi[k]) {
+      b = a;
+      a = &n;
+    } else if (!b || n.phi[k] < b->phi[k]) {
+      b = &n;
+    }
+  }
+  if (!b || b->phi[k] >= 2 * dx || a->phi[k] < -2.5 * dx) return;
+  if (a->body > b->body) std::swap(a, b);
+  if (a->rigid && b->rigid) return;
+  const double pa = a->phi[k], pb = b->phi[k], gap = pa + pb, push = off_node * dx;
+  const auto touched = [k](const Nodes& n, const Nodes& other) {
+    return n.contact && (n.contact[k] >> other.body & 1U);
+  };
+  if (gap >= shared_gap * dx && !(gap < shared_contact_gap * dx && (touched(*a, *b) || touched(*b, *a)))) return;
+  // A wall exactly on a face: the deformable or lower-numbered body is just outside, the other just inside.
+  const auto beside_rigid = [&](Nodes& n, Nodes& wall) {
+    n.phi[k] = std::abs(wall.phi[k]) <= push ? push : -wall.phi[k];
+    if (std::abs(wall.phi[k]) <= push) wall.phi[k] = -push;
+  };
+  if (b->rigid) return beside_rigid(*a, *b);
+  if (a->rigid) return beside_rigid(*b, *a);
+  double psi = 0.5 * (pa - pb);
+  if (std::abs(psi) < push) psi = push;
+  a->phi[k] = psi;
+  b->phi[k] = -psi;
+}
+
+template <int Dim>
+CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, const Corners<Dim>& corner) {
+  CutCell<Dim> c;
+  c.cell = cell;
+  const double area = grid.dx_power(Dim - 1), volume = grid.dx_power(Dim);
+  const auto radius = [&](const Vec<Dim>& x) {
+    return grid.axisymmetric ? std::abs(grid.origin[0] + (i[0] + x[0]) * grid.dx) : 1.0;
+  };
+  for (int d = 0; d < Dim; ++d)
+    for (int side = 0; side < 2; ++side) {
+      const Clip<Dim> face = clip_face<Dim>(corner, d, side);
+      c.open[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)] =
+          face.fraction * area * (face.fraction > 0 ? radius(face.centroid) : 1);
+    }
+  const Clip<Dim> piece = clip<Dim>(corner);
+  c.volume = piece.fraction * volume * radius(piece.centroid);
+  for (int d = 0; d < Dim; ++d) {
+    const auto e = static_cast<std::size_t>(d);
+    c.centroid[d] = piece.centroid[d] - 0.5;
+    c.point[d] = grid.origin[d] + (i[d] + piece.middle[d]) * grid.dx;
+    c.surface[d] = -(c.open[e][1] - c.open[e][0]);
+  }
+  if (grid.axisymmetric) {
+    c.plane_area = piece.fraction * volume;
+    c.surface[0] += c.plane_area;
+  }
+  return c;
+}
+
+template <int Dim>
+void classify(const Grid<Dim>& grid, const Box<Dim>& cells, const double* node, Geometry<Dim>& g) {
+  const Box<Dim> nodes = node_box(cells), layout = grid.layout();
+  std::array<int, static_cast<std::size_t>(1 << Dim)> offset{};
+  for (int c = 0; c < 1 << Dim; ++c)
+    for (int d = 0; d < Dim; ++d) offset[static_cast<std::size_t>(c)] += (c >> d & 1) * nodes.stride(d);
+  g.cuts.clear();
+  for_each(cells, [&](const Index<Dim>& i) {
+    const int cell = layout.at(i - cells.lo), at = nodes.at(i);
+    const auto k = static_cast<std::size_t>(cell);
+    Corners<Dim> corner{};
+    int negative = 0;
+    for (std::size_t c = 0; c < corner.size(); ++c) {
+      corner[c] = node[at + offset[c]];
+      negative += corner[c] < 0;
+    }
+    g.index[k] = -1;
+    g.kind[k] = negative == 0 ? CellKind::empty : negative == 1 << Dim ? CellKind::full : CellKind::cut;
+    if (g.kind[k] != CellKind::cut) return;
+    g.index[k] = static_cast<int>(g.cuts.size());
+    g.cuts.push_back(cut_cell(grid, i, cell, corner));
+  });
+}
+
+}  // namespace
+
+template <int Dim>
+void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, Scratch& scratch) {
+  const Window<Dim> w(state.mesh, slot, 1);
+  std::vector<Nodes> nodes;
+  for (int m = 0; m < state.count(); ++m) {
+    const BodyBlock<Dim>& b = state.bodies[static_cast<std::size_t>(m)].at(slot);
+    if (b.present && b.near_surface) nodes.push_back(node_values(state, w, m, when, scratch));
+  }
+  const int n = node_box(w.inner()).size();
+  if (surfaces == Surfaces::shared && nodes.size() > 1)
+    for (int k = 0; k < n; ++k) share_node(nodes, k, state.grid().dx);
+  for (const Nodes& m : nodes) {
+    BodyBlock<Dim>& b = state.bodies[static_cast<std::size_t>(m.body)].at(slot);
+    classify(state.grid(), w.inner(), m.phi, when == PhiAt::midstep ? b.geometry : b.settled);
+  }
+}
+
+template <int Dim>
+double open_area(const Grid<Dim>& grid, const Geometry<Dim>& g, int cell, const Index<Dim>& i, int d, int side) {
+  const auto k = static_cast<std::size_t>(cell);
+  if (g.kind[k] == CellKind::empty) return 0;
+  if (g.kind[k] == CellKind::cut)
+    return g.cuts[static_cast<std::size_t>(g.index[k])].open[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)];
+  Index<Dim> face = i;
+  face[d] += side;
+  return grid.full_area(face, d);
+}
+
+template <int Dim>
+void open_areas(const Grid<Dim>& grid, const Box<Dim>& cells, const Geometry<Dim>& g, int d, double* out) {
+  Box<Dim> faces = cells;
+  ++faces.hi[d];
+  const Box<Dim> layout = grid.layout();
+  for_each(cells, [&](const Index<Dim>& i) {
+    const int cell = layout.at(i - cells.lo);
+    const int at = faces.at(i);
+    out[at] = open_area(grid, g, cell, i, d, 0);
+    if (i[d] == cells.hi[d] - 1) out[at + faces.stride(d)] = open_area(grid, g, cell, i, d, 1);
+  });
+}
+
+template <int Dim>
+Vec<Dim> phi_normal(const Box<Dim>& window, const double* phi, const Index<Dim>& i, double dx) {
+  const int k = window.at(i);
+  Vec<Dim> g;
+  for (int d = 0; d < Dim; ++d) g[d] = phi[k + window.stride(d)] - phi[k - window.stride(d)];
+  if (norm(g) < dx)
+    for (int d = 0; d < Dim; ++d) {
+      const double up = phi[k + window.stride(d)] - phi[k], down = phi[k] - phi[k - window.stride(d)];
+      g[d] = std::abs(up) > std::abs(down) ? up : down;
+    }
+  return unit(g);
+}
+
+template <int Dim>
+double interpolate(const Grid<Dim>& grid, const Box<Dim>& window, const double* phi, const Vec<Dim>& x) {
+  Index<Dim> i;
+  Vec<Dim> t;
+  for (int d = 0; d < Dim; ++d) {
+    const double a = std::clamp((x[d] - grid.origin[d]) / grid.dx - 0.5, static_cast<double>(window.lo[d]),
+                                window.hi[d] - 1.001);
+    i[d] = static_cast<int>(std::floor(a));
+    t[d] = a - i[d];
+  }
+  const int k = window.at(i);
+  double sum = 0;
+  for (int c = 0; c < 1 << Dim; ++c) {
+    double weight = 1;
+    int o = 0;
+    for (int d = 0; d < Dim; ++d) {
+      const bool high = (c >> d & 1) != 0;
+      weight *= high ? t[d] : 1 - t[d];
+      o += high ? window.stride(d) : 0;
+    }
+    sum += weight * phi[k + o];
+  }
+  return sum;
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                               \
+  template void find_geometry<Dim>(State<Dim>&, int, Surfaces, PhiAt, Scratch&);                             \
+  template double open_area<Dim>(const Grid<Dim>&, const Geometry<Dim>&, int, const Index<Dim>&, int, int);  \
+  template void open_areas<Dim>(const Grid<Dim>&, const Box<Dim>&, const Geometry<Dim>&, int, double*);      \
+  template Vec<Dim> phi_normal<Dim>(const Box<Dim>&, const double*, const Index<Dim>&, double);              \
+  template double interpolate<Dim>(const Grid<Dim>&, const Box<Dim>&, const double*, const Vec<Dim>&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

@@ -1,0 +1,401 @@
+#include "cutcell/moves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cutcell/geometry.hpp"
+
+namespace recoil {
+
+namespace {
+
+/// A window on the settled geometry, volumes and contents of one body.
+template <int Dim>
+class Pieces {
+ public:
+  Pieces(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
+      : grid(state.grid()), body_(body), window(state.mesh, slot, halo), scratch_(scratch) {
+    const auto n = static_cast<std::size_t>(window.size());
+    volume = scratch.take<double>(n);
+    kind = scratch.take<CellKind>(n);
+    window.gather([&](int s) { return body.present(s) ? body.at(s).volume.data() : nullptr; }, 0.0, Beyond::nothing,
+                  volume);
+    window.gather([&](int s) { return body.present(s) ? body.at(s).settled.kind.data() : nullptr; }, CellKind::empty,
+                  Beyond::nothing, kind);
+  }
+
+  void gather_phi() {
+    phi = scratch_.take<double>(static_cast<std::size_t>(window.size()));
+    window.gather([&](int s) { return body_.present(s) ? body_.at(s).phi.data() : nullptr; }, far_cells * grid.dx,
+                  Beyond::extend, phi);
+  }
+
+  bool exists(const Index<Dim>& i) const { return window.source_inside(i).slot >= 0; }
+  double full(const Index<Dim>& i) const { return grid.full_volume(i); }
+
+  Contents<Dim> contents(const Index<Dim>& i) const {
+    const auto from = window.source_inside(i);
+    if (from.slot < 0 || !body_.present(from.slot)) return {};
+    const auto& b = body_.at(from.slot);
+    const std::size_t n = b.volume.size();
+    Contents<Dim> q;
+    for (std::size_t c = 0; c < q.size(); ++c) q[c] = b.contents[c * n + static_cast<std::size_t>(from.cell)];
+    return q;
+  }
+
+  /// The settled cut cell there, or null.
+  const CutCell<Dim>* cut(const Index<Dim>& i) const {
+    if (kind[window.at(i)] != CellKind::cut) return nullptr;
+    const auto from = window.source_inside(i);
+    const auto& g = body_.at(from.slot).settled;
+    return &g.cuts[static_cast<std::size_t>(g.index[static_cast<std::size_t>(from.cell)])];
+  }
+
+  /// The neighbour along sign * grad phi, on its main axis; along the next one where the domain ends. i itself: none.
+  Index<Dim> neighbour(const Index<Dim>& i, int sign) const {
+    const Vec<Dim> g = phi_normal(window.box(), phi, i, grid.dx);
+    std::array<bool, Dim> tried{};
+    for (int n = 0; n < Dim; ++n) {
+      int axis = -1;
+      for (int d = 0; d < Dim; ++d)
+        if (!tried[static_cast<std::size_t>(d)] && (axis < 0 || std::abs(g[d]) > std::abs(g[axis]))) axis = d;
+      tried[static_cast<std::size_t>(axis)] = true;
+      Index<Dim> j = i;
+      j[axis] += g[axis] * sign > 0 ? 1 : -1;
+      if (exists(j)) return j;
+    }
+    return i;
+  }
+
+  /// Whether the body is thinner than about two cells here: least sum over an axis of V/full over five cells.
+  bool thin(const Index<Dim>& i) const {
+    for (int d = 0; d < Dim; ++d) {
+      double sum = 0;
+      for (int o = -2; o <= 2; ++o) {
+        Index<Dim> j = i;
+        j[d] += o;
+        sum += std::max(volume[window.at(j)], 0.0) / full(j);
+      }
+      if (sum < 1.75) return true;
+    }
+    return false;
+  }
+
+  const Grid<Dim>& grid;
+
+ private:
+  const Body<Dim>& body_;
+
+ public:
+  Window<Dim> window;
+  double *volume = nullptr, *phi = nullptr;
+  CellKind* kind = nullptr;
+
+ private:
+  Scratch& scratch_;
+};
+
+template <int Dim>
+void add_scaled(Contents<Dim>& to, const Contents<Dim>& q, double factor) {
+  for (std::size_t c = 0; c < to.size(); ++c) to[c] += factor * q[c];
+}
+
+/// Something that leaves a cell for another.
+template <int Dim>
+struct Transfer {
+  Index<Dim> to{};
+  bool any = false;
+  double volume = 0;
+  Index<Dim> carrier{};      // whose state the volume takes along ...
+  double factor = 0;         // ... this much of its contents
+  bool everything = false;   // the cell is left with nothing
+};
+
+/// Applies transfers between cells at most one apart: every own cell loses what it sends and gains what its
+/// neighbours send it, in a fixed order. `decide(i)` must depend on the old state only.
+template <int Dim, class Decide>
+void transfer(const Grid<Dim>& grid, const Pieces<Dim>& p, BodyBlock<Dim>& b, bool diagonal, Decide&& decide) {
+  const Box<Dim> inner = p.window.inner(), layout = grid.layout();
+  for_each(inner, [&](const Index<Dim>& i) {
+    Update<Dim> u;
+    bool changed = false;
+    const auto begin = [&] {
+      if (changed) return;
+      changed = true;
+      u.cell = layout.at(i - inner.lo);
+      u.volume = p.volume[p.window.at(i)];
+      u.contents = p.contents(i);
+    };
+    const Transfer<Dim> own = decide(i);
+    if (own.any) {
+      begin();
+      u.volume -= own.volume;
+      if (own.everything) {
+        u.volume = 0;
+        u.contents = {};
+      } else {
+        add_scaled<Dim>(u.contents, p.contents(own.carrier), -own.factor);
+      }
+    }
+    Box<Dim> box{i, i};
+    for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
+    for_each(box, [&](const Index<Dim>& j) {
+      int apart = 0;
+      for (int d = 0; d < Dim; ++d) apart += j[d] != i[d];
+      if (apart == 0 || (apart > 1 && !diagonal)) return;
+      const Transfer<Dim> t = decide(j);
+      if (!t.any || !(t.to == i)) return;
+      begin();
+      u.volume += t.volume;
+      add_scaled<Dim>(u.contents, p.contents(t.carrier), t.factor);
+    });
+    if (changed) b.updates.push_back(u);
+  });
+}
+
+/// |A_I| of a cut cell, at least 0.02 of a face.
+template <int Dim>
+double surface_area(const Grid<Dim>& grid, const CutCell<Dim>& c, const Index<Dim>& i) {
+  return std::max(norm(c.surface), 0.02 * grid.dx_power(Dim - 1) * grid.radius(i[0]));
+}
+
+/// Volume that flows from cell i to its upper neighbour along axis d in the tangential exchange.
+template <int Dim>
+double surface_flow(const Pieces<Dim>& p, const Index<Dim>& i, int d, Index<Dim>& source) {
+  Index<Dim> j = i;
+  ++j[d];
+  const CutCell<Dim>*a = p.cut(i), *b = p.cut(j);
+  if (!a || !b) return 0;
+  const double face = b->open[static_cast<std::size_t>(d)][0] / (p.grid.dx_power(Dim - 1) * p.grid.radius(j[0]));
+  if (face <= 1e-9 || (Dim > 1 && face >= 1 - 1e-9)) return 0;
+  const double area_a = surface_area(p.grid, *a, i), area_b = surface_area(p.grid, *b, j);
+  const double va = p.volume[p.window.at(i)], vb = p.volume[p.window.at(j)];
+  source = va / p.full(i) > vb / p.full(j) ? i : j;
+  if (!(p.volume[p.window.at(source)] > 0.02 * p.full(source))) return 0;
+  return exchange_rate * ((va - a->volume) / area_a - (vb - b->volume) / area_b) * area_a * area_b / (area_a + area_b);
+}
+
+}  // namespace
+
+template <int Dim>
+void exchange_along_surface(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.updates.clear();
+  if (Dim == 1 || b.settled.cuts.empty()) return;  // a point has no tangent
+  const Pieces<Dim> p(state, body, slot, 1, scratch);
+  const Box<Dim> layout = state.grid().layout();
+  for (const CutCell<Dim>& cut : b.settled.cuts) {
+    const Index<Dim> i = p.window.inner().lo + layout.index(cut.cell);
+    Update<Dim> u{cut.cell, p.volume[p.window.at(i)], p.contents(i)};
+    bool changed = false;
+    for (int d = 0; d < Dim; ++d)
+      for (int side = -1; side <= 0; ++side) {
+        Index<Dim> low = i, source;
+        low[d] += side;
+        if (!p.exists(low)) continue;
+        const double flow = surface_flow(p, low, d, source) * (side == -1 ? 1 : -1);
+        if (flow == 0) continue;
+        changed = true;
+        u.volume += flow;
+        add_scaled<Dim>(u.contents, p.contents(source), flow / p.volume[p.window.at(source)]);
+      }
+    if (changed) b.updates.push_back(u);
+  }
+}
+
+template <int Dim>
+void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
+  BodyBlock<Dim>& b = body.at(slot);
+  const Grid<Dim>& grid = state.grid();
+  const Box<Dim> layout = grid.layout();
+  const double face = grid.dx_power(Dim - 1);
+  for (CutCell<Dim>& cut : b.settled.cuts) {
+    const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
+    const double area = std::max(norm(cut.surface), 0.3 * face * grid.radius(i[0]));
+    cut.mismatch = std::clamp((b.volume[static_cast<std::size_t>(cut.cell)] - cut.volume) / area, -0.5 * grid.dx, 0.5 * grid.dx);
+  }
+}
+
+template <int Dim>
+void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.updates.clear();
+  if (!b.near_surface) return;
+  Pieces<Dim> p(state, body, slot, 2, scratch);
+  const auto gives = [&](const Index<Dim>& i) {
+    const int k = p.window.at(i);
+    return p.kind[k] == CellKind::empty && p.volume[k] != 0;
+  };
+  bool any = false;
+  for_each(p.window.inner().grown(1), [&](const Index<Dim>& i) { any = any || gives(i); });
+  if (!any) return;
+  p.gather_phi();
+  transfer<Dim>(state.grid(), p, b, false, [&](const Index<Dim>& i) {
+    Transfer<Dim> t;
+    if (!gives(i)) return t;
+    t.to = p.neighbour(i, -1);
+    t.any = !(t.to == i);
+    t.volume = p.volume[p.window.at(i)];
+    t.carrier = i;
+    t.factor = 1;
+    t.everything = true;
+    return t;
+  });
+}
+
+template <int Dim>
+void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.updates.clear();
+  if (!b.near_surface) return;
+  Pieces<Dim> p(state, body, slot, 3, scratch);
+  const auto excess = [&](const Index<Dim>& i) {
+    const int k = p.window.at(i);
+    const double e = p.volume[k] - p.full(i);
+    return p.kind[k] == CellKind::full && std::abs(e) > 1e-13 * p.full(i) ? e : 0.0;
+  };
+  bool any = false;
+  for_each(p.window.inner().grown(1), [&](const Index<Dim>& i) { any = any || excess(i) != 0; });
+  if (!any) return;
+  p.gather_phi();
+  transfer<Dim>(state.grid(), p, b, false, [&](const Index<Dim>& i) {
+    Transfer<Dim> t;
+    const double e = excess(i);
+    if (e == 0) return t;
+    t.to = p.neighbour(i, 1);
+    if (t.to == i) return t;
+    const double there = p.volume[p.window.at(t.to)];
+    const bool from_own = e > 0 || there < std::max(4 * std::abs(e), 0.3 * p.full(t.to));
+    if (e < 0 && from_own && there < -e && p.thin(i)) return t;
+    t.any = true;
+    t.volume = e;
+    t.carrier = from_own ? i : t.to;
+    t.factor = e / p.volume[p.window.at(t.carrier)];
+    return t;
+  });
+}
+
+template <int Dim>
+void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.updates.clear();
+  if (!b.near_surface) return;
+  const Pieces<Dim> p(state, body, slot, 3, scratch);
+  const auto beyond = [&](const Index<Dim>& i) {
+    const int k = p.window.at(i);
+    return p.kind[k] == CellKind::cut && (p.volume[k] < 0 || p.volume[k] > p.full(i));
+  };
+  bool any = false;
+  for_each(p.window.inner().grown(1), [&](const Index<Dim>& i) { any = any || beyond(i); });
+  if (!any) return;
+  const auto fullest = [&](const Index<Dim>& i, Transfer<Dim>& t) {
+    const double have = std::abs(p.volume[p.window.at(i)]);
+    Box<Dim> box{i, i};
+    for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
+    for (const bool diagonal : {false, true}) {
+      double best = 0.02;
+      for_each(box, [&](const Index<Dim>& j) {
+        int apart = 0;
+        for (int d = 0; d < Dim; ++d) apart += j[d] != i[d];
+        if (apart == 0 || (apart > 1) != diagonal) return;
+        const double v = p.volume[p.window.at(j)], fill = v / p.full(j);
+        if (fill <= best || v <= 2 * have) return;
+        best = fill;
+        t.to = j;
+        t.any = true;
+      });
+      if (t.any) return;
+    }
+  };
+  const auto emptiest = [&](const Index<Dim>& i, Transfer<Dim>& t) {
+    double best = 1;
+    for (int d = 0; d < Dim; ++d)
+      for (int side = -1; side <= 1; side += 2) {
+        Index<Dim> j = i;
+        j[d] += side;
+        const int k = p.window.at(j);
+        if (p.kind[k] != CellKind::cut || p.volume[k] / p.full(j) >= best) continue;
+        best = p.volume[k] / p.full(j);
+        t.to = j;
+        t.any = true;
+      }
+  };
+  const auto decide = [&](const Index<Dim>& i) {
+    Transfer<Dim> t;
+    if (!beyond(i)) return t;
+    const double v = p.volume[p.window.at(i)], whole = p.full(i), limit = p.thin(i) ? 0.0 : -0.1;
+    t.carrier = i;
+    if (v < limit * whole) {
+      fullest(i, t);
+      t.volume = v;
+      t.factor = 1;
+      t.everything = true;
+    } else if (v > (1 - limit) * whole && v - whole > 1e-13 * whole) {
+      emptiest(i, t);
+      t.volume = v - whole;
+      t.factor = t.volume / v;
+    }
+    return t;
+  };
+  for_each(p.window.inner(), [&](const Index<Dim>& i) {
+    const Transfer<Dim> t = decide(i);
+    if (t.volume != 0) ++(t.any ? counters.volume_bounds : counters.volume_bounds_left);
+  });
+  transfer<Dim>(state.grid(), p, b, true, decide);
+}
+
+template <int Dim>
+void average_bad_states(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.updates.clear();
+  const Pieces<Dim> p(state, body, slot, 3 * width, scratch);
+  const auto n = static_cast<std::size_t>(p.window.size());
+  auto* role = scratch.take<std::uint8_t>(n);
+  p.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
+                  Beyond::nothing, role);
+  const auto holds = [&](const Index<Dim>& i) { return p.volume[p.window.at(i)] != 0; };
+  const auto around = [&](const Index<Dim>& i) {
+    Box<Dim> box{i, i};
+    for (int d = 0; d < Dim; ++d) box.lo[d] -= width, box.hi[d] += width + 1;
+    return box;
+  };
+  const auto windows_of = [&](const Index<Dim>& i) {
+    int count = 0;
+    for_each(around(i), [&](const Index<Dim>& j) { count += (role[p.window.at(j)] & bad_state) != 0; });
+    return count;
+  };
+  const Box<Dim> inner = p.window.inner(), layout = state.grid().layout();
+  for_each(inner, [&](const Index<Dim>& i) {
+    if (!holds(i)) return;
+    const int count = windows_of(i);
+    if (count == 0) return;
+    Update<Dim> u{layout.at(i - inner.lo), p.volume[p.window.at(i)], {}};
+    for_each(around(i), [&](const Index<Dim>& s) {
+      if ((role[p.window.at(s)] & bad_state) == 0) return;
+      double volume = 0;
+      Contents<Dim> mean{};
+      for_each(around(s), [&](const Index<Dim>& j) {
+        if (!holds(j)) return;
+        const double share = 1.0 / windows_of(j);
+        volume += share * p.volume[p.window.at(j)];
+        add_scaled<Dim>(mean, p.contents(j), share);
+      });
+      add_scaled<Dim>(u.contents, mean, u.volume / (count * volume));
+    });
+    b.updates.push_back(u);
+  });
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                     \
+  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);          \
+  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                          \
+  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);                   \
+  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);                     \
+  template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);        \
+  template void average_bad_states<Dim>(const State<Dim>&, Body<Dim>&, int, int, Scratch&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

@@ -1,0 +1,339 @@
+#include "cutcell/redistribution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cutcell/geometry.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double target_fill = 0.5;     // pieces below are redistributed, neighbourhoods reach it
+constexpr double member_fill = 0.001;   // least part of a cell that a member fills
+constexpr double merge_fill = 0.02;     // least volume of a neighbourhood
+constexpr double home_fill = 0.3;       // where lone pieces go
+constexpr int reach = 8;                // own cells <- neighbourhoods (2) <- members (2) <- their counts (2 + 2)
+
+double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
+
+/// One small piece with the cells that it shares with. Members are places in the window, the piece itself first.
+struct Neighbourhood {
+  int cell = 0;
+  int first = 0, members = 0;
+  int axis = -1, direction = 0;  // of a pair that keeps a slope
+  bool alone = false;
+};
+
+template <int Dim>
+class Redistribution {
+ public:
+  Redistribution(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch)
+      : state_(state), grid_(state.grid()), body_(body), window_(state.mesh, slot, reach), counters_(counters),
+        scratch_(scratch), n_(static_cast<std::size_t>(window_.size())) {}
+
+  void run(BodyBlock<Dim>& block) {
+    volume_ = scratch_.take<double>(n_);
+    window_.gather([&](int s) { return body_.present(s) ? body_.at(s).volume.data() : nullptr; }, 0.0, Beyond::nothing,
+                   volume_);
+    index_ = scratch_.take<int>(n_);
+    window_.gather([&](int s) { return body_.present(s) ? body_.at(s).geometry.index.data() : nullptr; }, -1,
+                   Beyond::nothing, index_);
+    if (!find_small()) return;
+    gather_phi();
+    form_neighbourhoods();
+    count_shares();
+    write(block);
+  }
+
+ private:
+  using Q = Contents<Dim>;
+
+  double full(const Index<Dim>& i) const { return grid_.full_volume(i); }
+
+  bool holds_nothing(int cell) const {
+    const auto from = window_.source_inside(window_.box().index(cell));
+    if (from.slot < 0) return true;
+    const auto& b = body_.at(from.slot);
+    const std::size_t n = b.volume.size();
+    for (std::size_t c = 0; c < Components<Dim>::contents; ++c)
+      if (b.contents[c * n + static_cast<std::size_t>(from.cell)] != 0) return false;
+    return true;
+  }
+
+  /// Small pieces whose neighbourhoods may reach an own cell, or be counted by one that does.
+  bool find_small() {
+    const Box<Dim> inner = window_.inner().grown(reach - 2);
+    int count = 0;
+    small_ = scratch_.take<Neighbourhood>(static_cast<std::size_t>(inner.size()));
+    for_each(inner, [&](const Index<Dim>& i) {
+      const int k = window_.at(i);
+      if (volume_[k] >= target_fill * full(i)) return;
+      if (volume_[k] == 0 && (index_[k] < 0 || holds_nothing(k))) return;
+      small_[count].cell = k;
+      small_[count++].alone = false;
+    });
+    smalls_ = count;
+    return count > 0;
+  }
+  void gather_phi() {
+    phi_ = scratch_.take<double>(n_);
+    window_.gather([&](int s) { return body_.present(s) ? body_.at(s).phi.data() : nullptr; }, far_cells * grid_.dx,
+                   Beyond::extend, phi_);
+  }
+
+  void add_member(Neighbourhood& s, const Index<Dim>& i, double& sum) {
+    const int k = window_.at(i);
+    if (volume_[k] <= member_fill * full(i)) return;
+    for (int m = 0; m < s.members; ++m)
+      if (members_[s.first + m] == k) return;
+    members_[s.first + s.members++] = k;
+    sum += volume_[k];
+  }
+
+  /// The inward neighbour along the steepest axis; then the other axes and the diagonals towards the inside, then
+  /// all cells around, then those around them: until half a cell is reached.
+  void form(Neighbourhood& s) {
+    const Index<Dim> i = window_.box().index(s.cell);
+    const double target = target_fill * full(i);
+    const Vec<Dim> g = phi_normal(window_.box(), phi_, i, grid_.dx);
+    std::array<int, Dim> axis{};
+    std::iota(axis.begin(), axis.end(), 0);
+    std::stable_sort(axis.begin(), axis.end(), [&](int a, int b) { return std::abs(g[a]) > std::abs(g[b]); });
+    s.members = 0;
+    members_[s.first + s.members++] = s.cell;
+    double sum = volume_[s.cell];
+    const auto inward = [&](int d) { return g[d] > 0 ? -1 : 1; };
+    s.axis = axis[0];
+    s.direction = inward(axis[0]);
+    for (const unsigned subset : subsets_by_size()) {
+      if (subset != 1 && sum >= target) return;
+      if (subset != 1) s.axis = -1;
+      Index<Dim> j = i;
+      for (int d = 0; d < Dim; ++d)
+        if ((subset >> d & 1U) != 0) j[axis[static_cast<std::size_t>(d)]] += inward(axis[static_cast<std::size_t>(d)]);
+      add_member(s, j, sum);
+    }
+    if (sum >= target) return;
+    s.axis = -1;
+    const bool own = window_.inner().contains(i);
+    for (int ring = 1; ring <= 2 && sum < target; ++ring) {
+      if (own) ++(ring == 1 ? counters_.wide_neighbourhoods : counters_.widest_neighbourhoods);
+      Box<Dim> box{i, i};
+      for (int d = 0; d < Dim; ++d) box.lo[d] -= ring, box.hi[d] += ring + 1;
+      for_each(box, [&](const Index<Dim>& j) { add_member(s, j, sum); });
+    }
+  }
+
+  /// Bit sets of axes (numbered by steepness): single axes, then pairs, then all three.
+  static constexpr std::array<unsigned, (1U << Dim) - 1> subsets_by_size() {
+    if constexpr (Dim == 1) return {1};
+    if constexpr (Dim == 2) return {1, 2, 3};
+    if constexpr (Dim == 3) return {1, 2, 4, 3, 5, 6, 7};
+  }
+
+  void form_neighbourhoods() {
+    constexpr int most = power<Dim>(5);
+    members_ = scratch_.take<int>(static_cast<std::size_t>(smalls_ * most));
+    int used = 0;
+    for (int s = 0; s < smalls_; ++s) {
+      small_[s].first = used;
+      form(small_[s]);
+      used += small_[s].members;
+    }
+  }
+
+  /// N_j of every cell, and for every cell the neighbourhoods that hold it, in the order of their cells.
+  void count_shares() {
+    shares_ = scratch_.take_filled<int>(n_, 0);
+    is_small_ = scratch_.take_filled<std::uint8_t>(n_, 0);
+    int total = 0;
+    for (int s = 0; s < smalls_; ++s) {
+      is_small_[small_[s].cell] = 1;
+      for (int m = 0; m < small_[s].members; ++m) ++shares_[members_[small_[s].first + m]];
+      total += small_[s].members;
+    }
+    first_holder_ = scratch_.take_filled<int>(n_ + 1, 0);
+    for (std::size_t k = 0; k < n_; ++k) first_holder_[k + 1] = first_holder_[k] + shares_[k];
+    holders_ = scratch_.take<int>(static_cast<std::size_t>(total));
+    int* fill = scratch_.take<int>(n_);
+    std::copy(first_holder_, first_holder_ + n_, fill);
+    for (int s = 0; s < smalls_; ++s)
+      for (int m = 0; m < small_[s].members; ++m) holders_[fill[members_[small_[s].first + m]]++] = s;
+    for (std::size_t k = 0; k < n_; ++k)
+      if (!is_small_[k]) ++shares_[k];  // a piece that is not small is a neighbourhood of its own
+    merged_ = scratch_.take<Merged>(static_cast<std::size_t>(smalls_));
+    for (int s = 0; s < smalls_; ++s) merged_[s].known = false;
+  }
+
+  Q contents(int k) const {
+    const auto from = window_.source_inside(window_.box().index(k));
+    if (from.slot < 0 || !body_.present(from.slot)) return Q{};
+    const auto& b = body_.at(from.slot);
+    const std::size_t n = b.volume.size();
+    Q q;
+    for (std::size_t c = 0; c < q.size(); ++c) q[c] = b.contents[c * n + static_cast<std::size_t>(from.cell)];
+    return q;
+  }
+
+  /// Centroid of a piece, in cells.
+  Vec<Dim> centroid(int k) const {
+    const Index<Dim> i = window_.box().index(k);
+    Vec<Dim> x;
+    for (int d = 0; d < Dim; ++d) x[d] = i[d] + 0.5;
+    if (index_[k] < 0) return x;
+    return x + body_.at(window_.source(i).slot).geometry.cuts[static_cast<std::size_t>(index_[k])].centroid;
+  }
+
+  /// The state that a neighbourhood shares: mean and slope.
+  struct Merged {
+    bool known, possible;
+    Vec<Dim> centre;
+    Q mean, slope;
+  };
+
+  const Merged& merged(int s) {
+    Merged& m = merged_[s];
+    if (m.known) return m;
+    m = {true, false, {}, {}, {}};
+    Neighbourhood& h = small_[s];
+    double volume = 0;
+    for (int j = 0; j < h.members; ++j) {
+      const int k = members_[h.first + j];
+      const double share = 1.0 / shares_[k];
+      volume += share * volume_[k];
+      m.centre += share * volume_[k] * centroid(k);
+      const Q q = contents(k);
+      for (std::size_t c = 0; c < q.size(); ++c) m.mean[c] += share * q[c];
+    }
+    m.possible = volume > merge_fill * full(window_.box().index(h.cell));
+    if (!m.possible) {
+      h.alone = h.members == 1;
+      return m;
+    }
+    m.centre *= 1 / volume;
+    for (double& c : m.mean) c /= volume;
+    if (h.axis >= 0 && h.members == 2) add_slope(h, m);
+    return m;
+  }
+
+  /// A pair along an axis keeps the slope towards the two cells behind it, if these are whole enough.
+  void add_slope(const Neighbourhood& h, Merged& m) const {
+    const int step = h.direction * window_.stride(h.axis), one = members_[h.first + 1] + step, two = one + step;
+    const Index<Dim> i1 = window_.box().index(one), i2 = window_.box().index(two);
+    if (volume_[one] < target_fill * full(i1) || volume_[two] < target_fill * full(i2)) return;
+    const double x0 = m.centre[h.axis], x1 = centroid(one)[h.axis], x2 = centroid(two)[h.axis];
+    const Q q1 = contents(one), q2 = contents(two);
+    for (std::size_t c = 0; c < q1.size(); ++c) {
+      const double u1 = q1[c] / volume_[one], u2 = q2[c] / volume_[two];
+      m.slope[c] = minmod((m.mean[c] - u1) / (x0 - x1), (u1 - u2) / (x1 - x2));
+    }
+  }
+
+  Q new_contents(int k) {
+    const Q old = contents(k);
+    const double per_volume = volume_[k] != 0 ? 1 / volume_[k] : 0;
+    Q sum{};
+    if (!is_small_[k])
+      for (std::size_t c = 0; c < old.size(); ++c) sum[c] = old[c] * per_volume;
+    for (int h = first_holder_[k]; h < first_holder_[k + 1]; ++h) {
+      const int s = holders_[h];
+      const Merged& m = merged(s);
+      const double z = small_[s].axis >= 0 && m.possible ? centroid(k)[small_[s].axis] - m.centre[small_[s].axis] : 0;
+      for (std::size_t c = 0; c < old.size(); ++c) sum[c] += m.possible ? m.mean[c] + m.slope[c] * z : old[c] * per_volume;
+    }
+    const double share = volume_[k] / shares_[k];
+    for (double& c : sum) c *= share;
+    return sum;
+  }
+
+  /// The nearest piece above 0.3 of a cell within three cells, or -1.
+  int home_of(int k) const {
+    const Index<Dim> i = window_.box().index(k);
+    Box<Dim> box{i, i};
+    for (int d = 0; d < Dim; ++d) {
+      box.lo[d] = std::max(i[d] - 3, window_.box().lo[d]);
+      box.hi[d] = std::min(i[d] + 4, window_.box().hi[d]);
+    }
+    int best = -1, nearest = 1 << 20;
+    for_each(box, [&](const Index<Dim>& j) {
+      int r2 = 0;
+      for (int d = 0; d < Dim; ++d) r2 += (j[d] - i[d]) * (j[d] - i[d]);
+      if (r2 == 0 || r2 >= nearest || volume_[window_.at(j)] < home_fill * full(j)) return;
+      nearest = r2;
+      best = window_.at(j);
+    });
+    return best;
+  }
+
+  void write(BodyBlock<Dim>& block) {
+    const Box<Dim> inner = window_.inner(), layout = grid_.layout();
+    // Lone pieces near enough to be sent to an own cell, or to leave one.
+    int lone = 0;
+    int* lone_cell = scratch_.take<int>(static_cast<std::size_t>(smalls_));
+    int* lone_home = scratch_.take<int>(static_cast<std::size_t>(smalls_));
+    for (int s = 0; s < smalls_; ++s) {
+      const Index<Dim> i = window_.box().index(small_[s].cell);
+      if (!inner.grown(3).contains(i) || merged(s).possible) continue;
+      if (inner.contains(i)) ++counters_.unmerged_pieces;
+      if (!small_[s].alone) continue;
+      const int home = home_of(small_[s].cell);
+      if (home < 0) continue;
+      lone_cell[lone] = small_[s].cell;
+      lone_home[lone++] = home;
+      if (inner.contains(i)) ++counters_.lone_pieces_moved;
+    }
+    for_each(inner, [&](const Index<Dim>& i) {
+      const int k = window_.at(i);
+      bool involved = first_holder_[k + 1] > first_holder_[k];
+      for (int l = 0; l < lone; ++l) involved = involved || lone_home[l] == k;
+      if (!involved) return;
+      Update<Dim> u;
+      u.cell = layout.at(i - inner.lo);
+      u.volume = volume_[k];
+      u.contents = first_holder_[k + 1] > first_holder_[k] ? new_contents(k) : contents(k);
+      for (int l = 0; l < lone; ++l) {
+        if (lone_cell[l] == k) {
+          u.volume = 0;
+          u.contents = {};
+        }
+        if (lone_home[l] != k) continue;
+        u.volume += volume_[lone_cell[l]];
+        const Q q = new_contents(lone_cell[l]);
+        for (std::size_t c = 0; c < q.size(); ++c) u.contents[c] += q[c];
+      }
+      block.updates.push_back(u);
+    });
+  }
+
+  const State<Dim>& state_;
+  const Grid<Dim>& grid_;
+  Body<Dim>& body_;
+  Window<Dim> window_;
+  Counters& counters_;
+  Scratch& scratch_;
+  std::size_t n_;
+  double *volume_ = nullptr, *phi_ = nullptr;
+  Neighbourhood* small_ = nullptr;
+  int smalls_ = 0;
+  int* index_ = nullptr;  // of cut cells
+  int *members_ = nullptr, *shares_ = nullptr, *first_holder_ = nullptr, *holders_ = nullptr;
+  std::uint8_t* is_small_ = nullptr;
+  Merged* merged_ = nullptr;
+};
+
+}  // namespace
+
+template <int Dim>
+void redistribute(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.updates.clear();
+  if (b.near_surface) Redistribution<Dim>(state, body, slot, counters, scratch).run(b);
+}
+
+template void redistribute<1>(const State<1>&, Body<1>&, int, Counters&, Scratch&);
+template void redistribute<2>(const State<2>&, Body<2>&, int, Counters&, Scratch&);
+template void redistribute<3>(const State<3>&, Body<3>&, int, Counters&, Scratch&);
+
+}  // namespace recoil

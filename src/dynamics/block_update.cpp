@@ -1,0 +1,378 @@
+#include "dynamics/block_update.hpp"
+
+#include <algorithm>
+
+#include "cutcell/geometry.hpp"
+#include "dynamics/flux.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr int reach = 3;  // cells that a reconstruction reads beyond a face
+
+/// The arrays of one block's update. Window arrays hold [component][window cells], the others [component][cells].
+template <int Dim>
+struct Work {
+  const Grid<Dim>& grid;
+  Window<Dim> window;
+  Box<Dim> cells;               // of the block
+  std::size_t n = 0, wide = 0;  // cells of the block, of the window
+  double *primitive = nullptr, *impedance = nullptr, *stress = nullptr;
+  std::uint8_t* role = nullptr;  // null where every cell has a value
+  double *rate = nullptr;        // [contents]
+  double *gradient = nullptr;    // [i * Dim + j]: integral of du_i/dx_j
+  double *radial = nullptr;      // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
+};
+
+template <int Dim>
+const double* values_of(const Body<Dim>& body, int slot) {
+  const BodyBlock<Dim>& b = body.at(slot);
+  return !b.present ? nullptr : b.near_surface ? b.stencil.data() : b.average.data();
+}
+
+template <int Dim, class EosModel>
+void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double shear_modulus, Work<Dim>& w,
+                   Scratch& scratch) {
+  using C = Components<Dim>;
+  const auto cells = static_cast<std::size_t>(w.grid.layout().size());
+  constexpr std::size_t count = EosModel::barotropic ? C::primitives : C::contents;
+  w.primitive = scratch.take<double>(w.wide * C::primitives);
+  for (std::size_t c = 0; c < count; ++c) {
+    unsigned odd = 0;
+    for (int d = 0; d < Dim; ++d)
+      if (component_sign<Dim>(static_cast<int>(c), 1U << d) < 0) odd |= 1U << d;
+    w.window.gather(
+        [&](int s) {
+          const double* v = values_of(body, s);
+          return v ? v + c * cells : nullptr;
+        },
+        c == C::rho ? eos.rho0 : 0.0, Beyond::extend, w.primitive + c * w.wide, odd);
+  }
+  if (body.at(slot).near_surface) {
+    w.role = scratch.take<std::uint8_t>(w.wide);
+    w.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
+                    Beyond::extend, w.role);
+    for (std::size_t k = 0; k < w.wide; ++k) {
+      if ((w.role[k] & valued) != 0) continue;
+      for (std::size_t c = 0; c < count; ++c) w.primitive[c * w.wide + k] = c == C::rho ? eos.rho0 : 0.0;
+    }
+  }
+  w.impedance = scratch.take<double>(w.wide);
+  const double c0 = bulk_sound_speed(eos), least = least_sound * c0 * c0;
+  const double *rho = w.primitive, *p = w.primitive + C::p * w.wide;
+#pragma omp simd
+  for (std::size_t k = 0; k < w.wide; ++k) {
+    const double c2 = eos.sound_speed_squared(rho[k], p[k]);
+    w.impedance[k] = rho[k] * std::sqrt((c2 > least ? c2 : least) + 4 * shear_modulus / (3 * rho[k]));
+  }
+}
+
+/// A face whose stencil lacks values: the nearest value stands in for those beyond it.
+template <int Dim, int Axis, bool Shear, class EosModel>
+void poor_face(const EosModel& eos, double g, const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step,
+               const FaceFlux<Dim>& out, Counters& counters) {
+  using C = Components<Dim>;
+  std::array<std::ptrdiff_t, 6> from{};
+  std::array<bool, 6> has{};
+  for (std::size_t s = 0; s < 6; ++s) {
+    from[s] = at + (static_cast<std::ptrdiff_t>(s) - 3) * step;
+    has[s] = (w.role[from[s]] & valued) != 0;
+  }
+  ++counters.faces_without_value;
+  if (!has[2] && !has[3]) {
+    for (std::size_t c = 0; c < C::contents; ++c) out.flux[c * out.faces + static_cast<std::size_t>(out.first)] = 0;
+    for (std::size_t d = 0; d < Dim; ++d) out.velocity[d * out.faces + static_cast<std::size_t>(out.first)] = 0;
+    return;
+  }
+  if (!has[2]) from[2] = from[3];
+  if (!has[3]) from[3] = from[2];
+  for (std::size_t s : {1, 0})
+    if (!has[s]) from[s] = from[s + 1];
+  for (std::size_t s : {4, 5})
+    if (!has[s]) from[s] = from[s - 1];
+  std::array<double, 6 * C::primitives> value{};
+  std::array<double, 6> stress{}, impedance{};
+  for (std::size_t s = 0; s < 6; ++s) {
+    for (std::size_t c = 0; c < C::primitives; ++c)
+      value[c * 6 + s] = w.primitive[c * w.wide + static_cast<std::size_t>(from[s])];
+    stress[s] = w.stress[from[s]];
+    impedance[s] = w.impedance[from[s]];
+  }
+  const FaceRow<Dim> row{value.data(), stress.data(), impedance.data(), 6, 3, 1, 1};
+  counters.first_order_faces += face_fluxes<Dim, Axis, Shear>(eos, g, row, out);
+}
+
+template <int Dim>
+bool complete(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step) {
+  for (int s = -3; s < 3; ++s)
+    if ((w.role[at + s * step] & valued) == 0) return false;
+  return true;
+}
+
+/// Fluxes through all faces across one axis, their open areas, and what they add to the block's cells.
+template <int Dim, int Axis, bool Shear, class EosModel>
+void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Dim>& w, double booked,
+           Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+  using C = Components<Dim>;
+  const Scratch::Frame frame(scratch);
+  Box<Dim> faces = w.cells;
+  ++faces.hi[Axis];
+  const auto nf = static_cast<std::size_t>(faces.size());
+  double* area = scratch.take<double>(nf);
+  double* flux = scratch.take<double>(nf * C::contents);
+  double* velocity = scratch.take<double>(nf * Dim);
+  w.stress = scratch.take<double>(w.wide);
+  {
+    const double* p = w.primitive + C::p * w.wide;
+    const double* a = w.primitive + static_cast<std::size_t>(C::s) * w.wide;
+    if constexpr (Dim == 3 && Axis == 2) {
+      for (std::size_t k = 0; k < w.wide; ++k) w.stress[k] = -(a[k] + a[w.wide + k]) - p[k];
+    } else {
+      a += static_cast<std::size_t>(C::stress(Axis, Axis)) * w.wide;
+      for (std::size_t k = 0; k < w.wide; ++k) w.stress[k] = a[k] - p[k];
+    }
+  }
+  open_areas(w.grid, w.cells, geometry, Axis, area);
+
+  const std::ptrdiff_t step = w.window.stride(Axis);
+  const int width = faces.extent(0);
+  Box<Dim> rows = faces;
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](const Index<Dim>& r) {
+    const int at_face = faces.at(r), at_cell = w.window.at(r);
+    int lo = 0, hi = width;
+    while (lo < hi && area[at_face + lo] == 0) ++lo;
+    while (hi > lo && area[at_face + hi - 1] == 0) --hi;
+    for (int from = lo; from < hi; from += longest_row) {
+      const FaceRow<Dim> row{w.primitive, w.stress, w.impedance, w.wide, at_cell + from, step,
+                             std::min(hi - from, longest_row)};
+      counters.first_order_faces += face_fluxes<Dim, Axis, Shear>(eos, g, row, {flux, velocity, nf, at_face + from});
+    }
+    for (int i = 0; i < width; ++i) {
+      if (area[at_face + i] == 0) {
+        for (std::size_t c = 0; c < C::contents; ++c) flux[c * nf + static_cast<std::size_t>(at_face + i)] = 0;
+        for (std::size_t d = 0; d < Dim; ++d) velocity[d * nf + static_cast<std::size_t>(at_face + i)] = 0;
+      } else if (w.role && !complete(w, at_cell + i, step)) {
+        poor_face<Dim, Axis, Shear>(eos, g, w, at_cell + i, step, {flux, velocity, nf, at_face + i}, counters);
+      }
+    }
+  });
+
+  const std::ptrdiff_t next = faces.stride(Axis);
+  Box<Dim> cell_rows = w.cells;
+  cell_rows.hi[0] = cell_rows.lo[0] + 1;
+  const int cell_width = w.cells.extent(0);
+  for_each(cell_rows, [&](const Index<Dim>& r) {
+    const int f = faces.at(r), k = w.cells.at(r);
+    const double *low = area + f, *high = area + f + next;
+    for (std::size_t c = 0; c < C::contents; ++c) {
+      const double* q = flux + c * nf + f;
+      double* out = w.rate + c * w.n + k;
+#pragma omp simd
+      for (int i = 0; i < cell_width; ++i) out[i] += low[i] * q[i] - high[i] * q[i + next];
+    }
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const double* u = velocity + d * nf + f;
+      double* out = w.gradient + (d * Dim + Axis) * w.n + k;
+#pragma omp simd
+      for (int i = 0; i < cell_width; ++i) out[i] += high[i] * u[i + next] - low[i] * u[i];
+      if (w.grid.axisymmetric && Axis == 0)
+        for (int i = 0; i < cell_width; ++i)
+          w.radial[d * w.n + static_cast<std::size_t>(k + i)] = 0.5 * (u[i] + u[i + next]);
+    }
+  });
+
+  // What passes the edges of the domain. Nothing is booked at periodic ones: it comes back on the other side.
+  if (w.grid.periodic(Axis)) return;
+  for (int side = 0; side < 2; ++side) {
+    const int edge = side == 0 ? 0 : w.grid.cells[Axis];
+    if (side == 0 ? w.cells.lo[Axis] != 0 : w.cells.hi[Axis] != edge) continue;
+    Box<Dim> face = faces;
+    face.lo[Axis] = edge;
+    face.hi[Axis] = edge + 1;
+    const double sign = side == 0 ? -booked : booked;
+    for_each(face, [&](const Index<Dim>& i) {
+      const auto k = static_cast<std::size_t>(faces.at(i));
+      edges.mass += sign * area[k] * flux[C::rho * nf + k];
+      edges.energy += sign * area[k] * flux[C::energy * nf + k];
+      for (int d = 0; d < Dim; ++d) edges.momentum[d] += sign * area[k] * flux[static_cast<std::size_t>(C::u + d) * nf + k];
+    });
+  }
+}
+
+/// Adds what the walls do to the rates of cut cells, and moves their volumes.
+template <int Dim>
+void add_walls(BodyBlock<Dim>& b, Work<Dim>& w, double dt) {
+  using C = Components<Dim>;
+  const Box<Dim> layout = w.grid.layout();
+  for (std::size_t m = 0; m < b.geometry.cuts.size(); ++m) {
+    const int cell = b.geometry.cuts[m].cell;
+    const Wall<Dim>& wall = b.walls[m];
+    const auto k = static_cast<std::size_t>(w.cells.at(w.cells.lo + layout.index(cell)));
+    for (int d = 0; d < Dim; ++d) {
+      const auto row = static_cast<std::size_t>(d);
+      w.rate[(C::u + row) * w.n + k] += wall.force[d];
+      for (int e = 0; e < Dim; ++e)
+        w.gradient[(row * Dim + static_cast<std::size_t>(e)) * w.n + k] += wall.stretching[row][e];
+    }
+    w.rate[C::energy * w.n + k] += wall.power;
+    b.volume[static_cast<std::size_t>(cell)] += dt * wall.volume_rate;
+  }
+}
+
+/// Hoop terms of one cell (theory: axisymmetry): the divergence keeps the raw r-weighted sums, both r-columns of the
+/// gradient lose the part that is due to the widening of the cell.
+template <int Dim>
+void axisymmetric_cell(const Body<Dim>& body, int slot, Work<Dim>& w, const Index<Dim>& i, int cell, const double* value,
+                       std::size_t stride, double* gradient_r) {
+  using C = Components<Dim>;
+  const BodyBlock<Dim>& b = body.at(slot);
+  const auto k = static_cast<std::size_t>(w.cells.at(i));
+  const CellKind kind = b.geometry.kind[static_cast<std::size_t>(cell)];
+  if (kind == CellKind::empty) return;
+  const double dx = w.grid.dx;
+  double plane = dx * dx, ur = value[C::u * stride], uz = value[(C::u + 1) * stride];
+  const CutCell<Dim>* cut = kind == CellKind::cut
+                                ? &b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[static_cast<std::size_t>(cell)])]
+                                : nullptr;
+  if (cut) plane = cut->plane_area;
+  const auto wide_open = [&](int side) {
+    return cut->open[0][static_cast<std::size_t>(side)] > 0.3 * w.grid.face_radius(i[0] + side) * dx;
+  };
+  if (!cut || ((i[0] == 0 || wide_open(0)) && wide_open(1))) {
+    ur = w.radial[k];
+    if (i[0] > 0) uz = w.radial[w.n + k];
+  } else {
+    const Wall<Dim>& wall = b.walls[static_cast<std::size_t>(b.geometry.index[static_cast<std::size_t>(cell)])];
+    if (wall.donors > 0) {
+      const Vec<Dim> r = (w.grid.centre(i) - cut->point) * (1 / dx) + cut->centroid;
+      ur = wall.value[C::u] + dot(wall.gradient[C::u], r);
+      uz = wall.value[C::u + 1] + dot(wall.gradient[C::u + 1], r);
+    }
+  }
+  gradient_r[0] -= ur * plane;
+  gradient_r[1] -= uz * plane;
+  const double hoop = -value[C::p * stride] - value[C::s * stride] - value[(C::s + 1) * stride];
+  w.rate[C::u * w.n + k] -= hoop * plane;
+}
+
+/// 2 G dev D + W S - S W of one cell, integrated over the piece. L[i * Dim + j]: integral of du_i/dx_j.
+template <int Dim>
+void stress_rate(double g, double trace, const double* value, std::size_t stride, const double* L, double* rate,
+                 std::size_t n) {
+  using C = Components<Dim>;
+  const double rho = value[C::rho * stride];
+  const auto full = [&](int i, int j) {
+    const int c = C::stress(i, j);
+    if (c >= 0) return value[static_cast<std::size_t>(C::s + c) * stride];
+    return -(value[C::s * stride] + value[(C::s + 1) * stride]);
+  };
+  for (int i = 0; i < Dim; ++i)
+    for (int j = i; j < Dim; ++j) {
+      const int c = C::stress(i, j);
+      if (c < 0) continue;
+      double sum = g * (L[i * Dim + j] + L[j * Dim + i]) - (i == j ? 2 * g * trace / 3 : 0);
+      for (int m = 0; m < Dim; ++m) {
+        const double wim = 0.5 * (L[i * Dim + m] - L[m * Dim + i]), wmj = 0.5 * (L[m * Dim + j] - L[j * Dim + m]);
+        sum += wim * full(m, j) - full(i, m) * wmj;
+      }
+      rate[static_cast<std::size_t>(C::s + c) * n] += rho * sum;
+    }
+}
+
+template <int Dim>
+void add_sources(const Body<Dim>& body, int slot, double g, Work<Dim>& w) {
+  const BodyBlock<Dim>& b = body.at(slot);
+  const Box<Dim> layout = w.grid.layout();
+  for_each(w.cells, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(w.cells.at(i));
+    const int cell = layout.at(i - w.cells.lo);
+    const auto in_window = static_cast<std::size_t>(w.window.at(i));
+    const double* value = w.primitive + in_window;
+    std::size_t stride = w.wide;
+    if (w.role && (w.role[in_window] & valued) == 0) {
+      const int cut = b.geometry.index[static_cast<std::size_t>(cell)];
+      if (cut < 0) return;
+      value = b.walls[static_cast<std::size_t>(cut)].value.data();
+      stride = 1;
+    }
+    std::array<double, Dim * Dim> L;
+    double trace = 0;
+    for (std::size_t c = 0; c < L.size(); ++c) L[c] = w.gradient[c * w.n + k];
+    for (std::size_t d = 0; d < Dim; ++d) trace += L[d * Dim + d];
+    if constexpr (Dim == 2)
+      if (w.grid.axisymmetric) {
+        std::array<double, 2> r_column{L[0], L[2]};
+        axisymmetric_cell(body, slot, w, i, cell, value, stride, r_column.data());
+        L[0] = r_column[0];
+        L[2] = r_column[1];
+      }
+    if (g > 0) stress_rate<Dim>(g, trace, value, stride, L.data(), w.rate + k, w.n);
+  });
+}
+
+template <int Dim>
+void add_rates(BodyBlock<Dim>& b, const Work<Dim>& w, double dt) {
+  const Box<Dim> layout = w.grid.layout();
+  const auto all = static_cast<std::size_t>(layout.size());
+  Box<Dim> rows = w.cells;
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = w.cells.extent(0);
+  for_each(rows, [&](const Index<Dim>& r) {
+    const auto from = static_cast<std::size_t>(w.cells.at(r)), to = static_cast<std::size_t>(layout.at(r - w.cells.lo));
+    for (std::size_t c = 0; c < Components<Dim>::contents; ++c) {
+      const double* rate = w.rate + c * w.n + from;
+      double* q = b.contents.data() + c * all + to;
+#pragma omp simd
+      for (int i = 0; i < width; ++i) q[i] += dt * rate[i];
+    }
+  });
+}
+
+template <int Dim, bool Shear, class EosModel>
+void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, double dt, double share,
+            Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+  using C = Components<Dim>;
+  BodyBlock<Dim>& b = body.at(slot);
+  const double g = shear_modulus(body.material);
+  Work<Dim> w{state.grid(), Window<Dim>(state.mesh, slot, reach), state.mesh.block(slot).cells};
+  w.n = static_cast<std::size_t>(w.cells.size());
+  w.wide = static_cast<std::size_t>(w.window.size());
+  gather_values(body, slot, eos, g, w, scratch);
+  w.rate = scratch.take_filled<double>(w.n * C::contents, 0);
+  w.gradient = scratch.take_filled<double>(w.n * Dim * Dim, 0);
+  w.radial = scratch.take_filled<double>(state.grid().axisymmetric ? w.n * 2 : 1, 0);
+  const double booked = share * dt;
+  sweep<Dim, 0, Shear>(eos, g, b.geometry, w, booked, edges, counters, scratch);
+  if constexpr (Dim > 1) sweep<Dim, 1, Shear>(eos, g, b.geometry, w, booked, edges, counters, scratch);
+  if constexpr (Dim > 2) sweep<Dim, 2, Shear>(eos, g, b.geometry, w, booked, edges, counters, scratch);
+  add_walls(b, w, dt);
+  add_sources(body, slot, g, w);
+  add_rates(b, w, dt);
+}
+
+}  // namespace
+
+template <int Dim>
+void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt, double share, Account<Dim>& edges,
+                  Counters& counters, Scratch& scratch) {
+  std::visit(
+      [&](const auto& eos) {
+        if (has_strength(body.material.strength))
+          update<Dim, true>(state, eos, body, slot, dt, share, edges, counters, scratch);
+        else
+          update<Dim, false>(state, eos, body, slot, dt, share, edges, counters, scratch);
+      },
+      body.material.eos);
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                       \
+  template void update_block<Dim>(const State<Dim>&, Body<Dim>&, int, double, double, Account<Dim>&, \
+                                  Counters&, Scratch&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

@@ -1,0 +1,73 @@
+#include "dynamics/plastic_return.hpp"
+
+#include <cmath>
+
+#include "dynamics/primitives.hpp"
+#include "material/radial_return.hpp"
+
+namespace recoil {
+
+namespace {
+
+/// One cell: contents q (distance n between components) of a piece of volume v.
+template <int Dim, class StrengthModel>
+void return_cell(const StrengthModel& strength, const TemperatureLaw& law, double* q, std::size_t n, double v, double dt) {
+  using C = Components<Dim>;
+  const double mass = q[C::rho * n], rho = mass / v;
+  if (!(rho > 0)) return;
+  const double trial2 = equivalent_stress_squared<Dim>(q + C::s * n, n) / (mass * mass);
+  const double ep = q[C::ep * n] / mass > 0 ? q[C::ep * n] / mass : 0.0;
+  double kinetic = 0;
+  for (std::size_t d = 0; d < Dim; ++d) kinetic += q[(C::u + d) * n] * q[(C::u + d) * n];
+  const double e = (q[C::energy * n] - 0.5 * kinetic / mass) / mass;
+  const double temperature = law(rho, e, q[C::heat * n] / mass);
+  const double trial = std::sqrt(trial2);
+  const double increment = plastic_increment(strength, trial, ep, temperature, dt);
+  if (!(increment > 0)) return;
+  const double left = 1 - 3 * strength.shear_modulus * increment / trial;
+  const double scale = left > 0 ? left : 0.0;
+  for (std::size_t c = C::s; c < C::ep; ++c) q[c * n] *= scale;
+  q[C::ep * n] = mass * (ep + increment);
+  q[C::heat * n] += mass * plastic_heating(law.thermal(), scale * trial, increment, rho);
+}
+
+}  // namespace
+
+template <int Dim>
+void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt) {
+  if (!has_strength(body.material.strength)) return;
+  BodyBlock<Dim>& b = body.at(slot);
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  const auto n = static_cast<std::size_t>(layout.size());
+  std::visit(
+      [&](const auto& strength) {
+        for_each(cells, [&](const Index<Dim>& i) {
+          const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+          if (b.volume[k] != 0) return_cell<Dim>(strength, body.temperature, b.contents.data() + k, n, b.volume[k], dt);
+        });
+      },
+      body.material.strength);
+}
+
+template <int Dim>
+void combine_with_old(BodyBlock<Dim>& b, double old_part) {
+  const auto mix = [&](std::vector<double>& now, const std::vector<double>& old) {
+    double* a = now.data();
+    const double* o = old.data();
+    const std::size_t n = now.size();
+#pragma omp simd
+    for (std::size_t k = 0; k < n; ++k) a[k] += old_part * (o[k] - a[k]);  // exact where nothing changed
+  };
+  mix(b.contents, b.contents_old);
+  mix(b.volume, b.volume_old);
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                     \
+  template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double); \
+  template void combine_with_old<Dim>(BodyBlock<Dim>&, double);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

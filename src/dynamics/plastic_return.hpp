@@ -1,0 +1,31 @@
+#pragma once
+
+#include "cutcell/body.hpp"
+
+namespace recoil {
+
+/// Radial return of the deviators of one body in one block after a substage of length dt: scales S to the yield
+/// surface, raises ep, and books the plastic heating. The rate of Johnson-Cook is dep/dt of this substage.
+/// Energy, momentum and mass do not change: S and ep carry no budget.
+template <int Dim>
+void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt);
+
+/// The convex combination of a Runge-Kutta stage (Shu & Osher 1988): Q, V = old_part (Q, V)_old + (1 - old_part) (Q, V).
+template <int Dim>
+void combine_with_old(BodyBlock<Dim>& block, double old_part);
+
+/// Equivalent stress squared, 3/2 S:S [Pa^2].
+template <int Dim>
+double equivalent_stress_squared(const double* s, std::size_t stride) {
+  const auto at = [&](int c) { return s[static_cast<std::size_t>(c) * stride]; };
+  if constexpr (Dim == 1) {
+    return 2.25 * at(0) * at(0);
+  } else {
+    const double zz = at(0) + at(1);
+    double shear = at(2) * at(2);
+    if constexpr (Dim == 3) shear += at(3) * at(3) + at(4) * at(4);
+    return 1.5 * (at(0) * at(0) + at(1) * at(1) + zz * zz + 2 * shear);
+  }
+}
+
+}  // namespace recoil

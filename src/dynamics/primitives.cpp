@@ -1,0 +1,188 @@
+#include "dynamics/primitives.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double least_judged = 0.02;  // part of a cell below which a state is not judged
+
+template <int Dim>
+std::string place_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
+  const Vec<Dim> x = state.grid().centre(state.mesh.block(slot).cells.lo + local);
+  std::string text;
+  for (int d = 0; d < Dim; ++d) text += fmt::format("{}{:.6g}", d ? ", " : "", x[d] * 1e3);
+  return "(" + text + ") mm";
+}
+
+template <int Dim, class F>
+void for_each_cell(const State<Dim>& state, int slot, F&& f) {
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  for_each(cells, [&](const Index<Dim>& i) { f(i, static_cast<std::size_t>(layout.at(i - cells.lo))); });
+}
+
+/// One row of cells, all of them donors: the loop that interior blocks run.
+template <int Dim, class EosModel>
+void row_primitives(const EosModel& eos, std::size_t first, std::size_t count, std::size_t n, const double* q,
+                    const double* volume, double* w) {
+  using C = Components<Dim>;
+#pragma omp simd
+  for (std::size_t k = first; k < first + count; ++k) {
+    const double mass = q[k], per_mass = 1 / mass, rho = mass / volume[k];
+    double kinetic = 0;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const double u = q[(C::u + d) * n + k] * per_mass;
+      w[(C::u + d) * n + k] = u;
+      kinetic += 0.5 * u * u;
+    }
+    const double e = q[C::energy * n + k] * per_mass - kinetic;
+    const double p = eos.pressure(rho, e);
+    w[C::rho * n + k] = rho;
+    w[C::p * n + k] = p;
+    for (std::size_t c = C::s; c < C::contents; ++c) w[c * n + k] = q[c * n + k] * per_mass;
+    if constexpr (EosModel::barotropic) w[C::extra * n + k] = e - eos.energy(rho, p);
+  }
+}
+
+template <int Dim, class EosModel>
+void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, Counters& counters) {
+  using C = Components<Dim>;
+  BodyBlock<Dim>& b = body.at(slot);
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  const auto n = static_cast<std::size_t>(layout.size());
+  if (!b.near_surface) {
+    Box<Dim> rows = cells;
+    rows.hi[0] = rows.lo[0] + 1;
+    for_each(rows, [&](const Index<Dim>& i) {
+      row_primitives<Dim>(eos, static_cast<std::size_t>(layout.at(i - cells.lo)),
+                          static_cast<std::size_t>(cells.extent(0)), n, b.contents.data(), b.volume.data(),
+                          b.average.data());
+    });
+  } else {
+    for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+      if ((b.role[k] & donates) == 0) return;
+      const double volume = b.volume[k], rho = b.contents[k] / volume;
+      if (volume <= 0.1 * state.grid().full_volume(i) || !(rho > 0.2 * eos.rho0) || !(rho < 3 * eos.rho0)) {
+        if (!std::isfinite(rho)) throw PhysicsError("the density of " + body.name + " is not a number at " +
+                                                    place_of(state, slot, i - cells.lo));
+        ++counters.cuts_without_donor;  // keeps its average of the stage before
+        return;
+      }
+      const Primitives<Dim> w = to_primitives<Dim>(eos, contents_of(b, static_cast<int>(k)), volume);
+      for (std::size_t c = 0; c < (EosModel::barotropic ? C::primitives : C::contents); ++c) b.average[c * n + k] = w[c];
+    });
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
+  BodyBlock<Dim>& b = body.at(slot);
+  const double rho0 = density(body.material);
+  for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    const double fill = b.volume[k] / state.grid().full_volume(i);
+    std::uint8_t role = 0;
+    if (fill > donor_fill) role |= donates;
+    if (fill >= regular_fill) role |= regular | valued;
+    if (role != 0 && !(b.contents[k] / b.volume[k] > 0.2 * rho0)) {
+      ++counters.cuts_without_donor;
+      role = 0;
+    }
+    b.role[k] = role;
+  });
+}
+
+template <int Dim>
+void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
+  std::visit([&](const auto& eos) { average_block(state, eos, body, slot, counters); }, body.material.eos);
+}
+
+template <int Dim>
+double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, Counters& counters) {
+  using C = Components<Dim>;
+  const BodyBlock<Dim>& b = body.at(slot);
+  const auto n = static_cast<std::size_t>(state.grid().layout().size());
+  const double g = shear_modulus(body.material);
+  double fastest = 0;
+  std::visit(
+      [&](const auto& eos) {
+        const double c0 = bulk_sound_speed(eos), least = least_sound * c0 * c0;
+        for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+          if ((b.role[k] & regular) == 0) return;
+          const double rho = b.average[k], p = b.average[C::p * n + k];
+          const double c2 = eos.sound_speed_squared(rho, p);
+          double sum = 0;
+          for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(b.average[(C::u + d) * n + k]);
+          if (!std::isfinite(sum + c2) || !(rho > 0) || !eos.admissible(rho))
+            throw PhysicsError(fmt::format("{} has no admissible state at {}: density {:.6g} kg/m3, pressure {:.6g} GPa",
+                                           body.name, place_of(state, slot, i - state.mesh.block(slot).cells.lo), rho,
+                                           p * 1e-9));
+          if (c2 < least) ++counters.floored_sound_speeds;
+          sum += Dim * std::sqrt((c2 > least ? c2 : least) + 4 * g / (3 * rho));
+          fastest = sum > fastest ? sum : fastest;
+        });
+      },
+      body.material.eos);
+  return fastest / state.grid().dx;
+}
+
+template <int Dim>
+bool inadmissible(const Material& material, const Contents<Dim>& q, double volume) {
+  using C = Components<Dim>;
+  return std::visit(
+      [&](const auto& eos) {
+        const double rho = q[C::rho] / volume;
+        if (!(rho > least_density * eos.rho0 && rho < largest_density * eos.rho0)) return true;
+        const Primitives<Dim> w = to_primitives<Dim>(eos, q, volume);
+        const double c0 = bulk_sound_speed(eos);
+        return !(eos.sound_speed_squared(rho, w[C::p]) >= admissible_sound * c0 * c0);
+      },
+      material.eos);
+}
+
+template <int Dim>
+std::int64_t mark_bad_states(const State<Dim>& state, Body<Dim>& body, int slot) {
+  BodyBlock<Dim>& b = body.at(slot);
+  std::int64_t count = 0;
+  for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    b.role[k] &= static_cast<std::uint8_t>(~bad_state);
+    if (b.volume[k] <= least_judged * state.grid().full_volume(i)) return;
+    if (!inadmissible<Dim>(body.material, contents_of(b, static_cast<int>(k)), b.volume[k])) return;
+    b.role[k] |= bad_state;
+    ++count;
+  });
+  return count;
+}
+
+template <int Dim>
+bool has_bad_state(const BodyBlock<Dim>& b) {
+  for (const std::uint8_t r : b.role)
+    if ((r & bad_state) != 0) return true;
+  return false;
+}
+
+template <int Dim>
+void clear_bad_states(BodyBlock<Dim>& b) {
+  for (std::uint8_t& r : b.role) r &= static_cast<std::uint8_t>(~bad_state);
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                \
+  template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);              \
+  template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);        \
+  template double fastest_signal<Dim>(const State<Dim>&, const Body<Dim>&, int, Counters&);    \
+  template std::int64_t mark_bad_states<Dim>(const State<Dim>&, Body<Dim>&, int);              \
+  template bool has_bad_state<Dim>(const BodyBlock<Dim>&);                                     \
+  template void clear_bad_states<Dim>(BodyBlock<Dim>&);                                        \
+  template bool inadmissible<Dim>(const Material&, const Contents<Dim>&, double);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/scratch.hpp"
+#include "cutcell/body.hpp"
+
+namespace recoil {
+
+/// Least part of a whole cell that a piece must fill to take part in fits, and to stand in stencils itself.
+inline constexpr double donor_fill = 0.3, regular_fill = 0.5;
+/// Wave speeds use at least this part of c0^2; states below are counted, and inadmissible below admissible_sound.
+inline constexpr double least_sound = 0.05, admissible_sound = 0.02;
+inline constexpr double least_density = 0.5, largest_density = 2.5;  // of rho0, admissible
+
+/// Contents per volume of one cell to primitives.
+template <int Dim, class EosModel>
+Primitives<Dim> to_primitives(const EosModel& eos, const Contents<Dim>& q, double volume) {
+  using C = Components<Dim>;
+  Primitives<Dim> w{};
+  const double rho = q[C::rho] / volume, per_mass = 1 / q[C::rho];
+  double kinetic = 0;
+  w[C::rho] = rho;
+  for (int d = 0; d < Dim; ++d) {
+    const auto k = static_cast<std::size_t>(C::u + d);
+    w[k] = q[k] * per_mass;
+    kinetic += 0.5 * w[k] * w[k];
+  }
+  const double e = q[C::energy] * per_mass - kinetic;
+  w[C::p] = eos.pressure(rho, e);
+  for (std::size_t k = C::s; k < C::contents; ++k) w[k] = q[k] * per_mass;
+  if constexpr (EosModel::barotropic) w[C::extra] = e - eos.energy(rho, w[C::p]);
+  return w;
+}
+
+/// Chooses what every piece of a block is good for (Role), from its volume. Once a step.
+template <int Dim>
+void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
+
+/// Primitives of the averages of all donors of a block, into BodyBlock::average. @throws PhysicsError for a state
+/// that is not finite or has no density.
+template <int Dim>
+void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
+
+/// Largest sum over axes of (|u_d| + c_L)/dx [1/s] over pieces of at least half a cell.
+template <int Dim>
+double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, Counters& counters);
+
+/// Whether contents are beyond what the equations admit: density outside 0.5-2.5 rho0, or c^2 below 0.02 c0^2.
+template <int Dim>
+bool inadmissible(const Material& material, const Contents<Dim>& contents, double volume);
+
+/// Marks (Role::bad_state) the pieces of a block above 0.02 of a cell whose state is inadmissible. @returns how many.
+template <int Dim>
+std::int64_t mark_bad_states(const State<Dim>& state, Body<Dim>& body, int slot);
+template <int Dim>
+bool has_bad_state(const BodyBlock<Dim>& block);
+template <int Dim>
+void clear_bad_states(BodyBlock<Dim>& block);
+
+/// The contents of one cell.
+template <int Dim>
+Contents<Dim> contents_of(const BodyBlock<Dim>& b, int cell) {
+  const std::size_t n = b.volume.size();
+  Contents<Dim> q;
+  for (std::size_t c = 0; c < q.size(); ++c) q[c] = b.contents[c * n + static_cast<std::size_t>(cell)];
+  return q;
+}
+
+}  // namespace recoil

@@ -1,0 +1,205 @@
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace recoil {
+
+/// What a window shows where the domain ends without being periodic.
+enum class Beyond {
+  extend,  // mirrored at reflecting edges, constant at open ones
+  mirror,  // mirrored at reflecting edges, the value for absent cells at open ones
+  nothing  // the value for absent cells at both
+};
+
+/// A block and the cells around it, up to `halo` away, read from the block and its neighbours. No block stores
+/// ghost cells: a kernel gathers what it reads into a window of its own, as wide as it needs.
+template <int Dim>
+class Window {
+ public:
+  /// Where a cell of the window really lives.
+  struct Source {
+    int slot = -1;        // -1: beyond the edge of the domain or of what exists
+    int cell = 0;         // in the block's layout
+    unsigned flips = 0;   // bit d: mirrored along axis d
+  };
+
+  Window(const Mesh<Dim>& mesh, int slot, int halo) : mesh_(mesh), layout_(mesh.grid().layout()) {
+    const Block<Dim>& block = mesh.block(slot);
+    inner_ = block.cells;
+    box_ = inner_.grown(halo);
+    for (int d = 0; d < Dim; ++d) map_axis(block, d);
+    slots_ = block.neighbour;
+  }
+
+  /// Cells of the window and of the block, by global index.
+  const Box<Dim>& box() const { return box_; }
+  const Box<Dim>& inner() const { return inner_; }
+  int size() const { return box_.size(); }
+  int at(const Index<Dim>& i) const { return box_.at(i); }
+  int stride(int d) const { return box_.stride(d); }
+
+  /// The cell that stands at index i of the window under `beyond = extend`.
+  Source source(const Index<Dim>& i) const {
+    Index<Dim> offset, local;
+    unsigned flips = 0;
+    for (int d = 0; d < Dim; ++d) {
+      const Axis a = axis_[static_cast<std::size_t>(d)][static_cast<std::size_t>(i[d] - box_.lo[d])];
+      offset[d] = a.offset;
+      local[d] = a.local;
+      flips |= static_cast<unsigned>(a.flip) << d;
+    }
+    return {slots_[static_cast<std::size_t>(around().at(offset))], layout_.at(local), flips};
+  }
+  /// Where point x of the source cell of index i appears: mirrored or moved by a period as the cell is.
+  Vec<Dim> appear(const Index<Dim>& i, const Source& from, const Vec<Dim>& x) const {
+    const Index<Dim> home = mesh_.block(from.slot).cells.lo + layout_.index(from.cell);
+    if (home == i) return x;
+    const Vec<Dim> here = mesh_.grid().centre(i), there = mesh_.grid().centre(home);
+    Vec<Dim> y;
+    for (int d = 0; d < Dim; ++d) y[d] = here[d] + ((from.flips >> d & 1U) != 0 ? -1 : 1) * (x[d] - there[d]);
+    return y;
+  }
+  /// As source(), but nothing (slot -1) beyond an edge that is not periodic.
+  Source source_inside(const Index<Dim>& i) const {
+    for (int d = 0; d < Dim; ++d)
+      if (axis_[static_cast<std::size_t>(d)][static_cast<std::size_t>(i[d] - box_.lo[d])].outside) return {};
+    return source(i);
+  }
+
+  /// Copies one value per cell into out [size()]. `of(slot)` gives a block's array or null where it has none.
+  template <class T, class Of>
+  void gather(Of&& of, T missing, Beyond beyond, T* out, unsigned odd_axes = 0) const {
+    std::array<const T*, static_cast<std::size_t>(power<Dim>(3))> from{};
+    for (std::size_t n = 0; n < from.size(); ++n) from[n] = slots_[n] >= 0 ? of(slots_[n]) : nullptr;
+    Index<Dim> row = box_.lo;
+    const int rows = box_.size() / box_.extent(0), width = box_.extent(0);
+    for (int r = 0; r < rows; ++r) {
+      gather_row(row, from, missing, beyond, out + static_cast<std::ptrdiff_t>(r) * width, odd_axes);
+      for (int d = 1; d < Dim; ++d) {
+        if (++row[d] < box_.hi[d]) break;
+        row[d] = box_.lo[d];
+      }
+    }
+  }
+
+ private:
+  struct Axis {
+    int offset = 0, local = 0;
+    bool flip = false, outside = false, open = false;
+  };
+  /// A run of window cells along axis 0 that lie one after the other (step 1), backwards (-1) or are one (0).
+  struct Run {
+    int to = 0, n = 0, offset = 0, local = 0, step = 1;
+    bool flip = false, outside = false, open = false;
+  };
+
+  static constexpr Box<Dim> around() {
+    Box<Dim> b;
+    for (int d = 0; d < Dim; ++d) b.lo[d] = -1, b.hi[d] = 2;
+    return b;
+  }
+
+  Axis map_index(const Block<Dim>& block, int d, int g) const {
+    const Grid<Dim>& grid = mesh_.grid();
+    const int n = grid.cells[d], nb = grid.block[d];
+    const auto& edge = grid.edge[static_cast<std::size_t>(d)];
+    Axis a;
+    if (edge[0] == Edge::periodic) {
+      int wrapped = g % n;
+      if (wrapped < 0) wrapped += n;
+      const int lattice = (n + nb - 1) / nb, home = wrapped / nb;
+      const int unwrapped = (g - wrapped) / n * lattice + home;
+      a.offset = std::clamp(lattice == 1 ? 0 : unwrapped - block.at[d], -1, 1);
+      a.local = wrapped - home * nb;
+      return a;
+    }
+    a.outside = g < 0 || g >= n;
+    while (g < 0 || g >= n) {
+      const bool low = g < 0;
+      if (edge[low ? 0 : 1] == Edge::outflow) {
+        g = low ? 0 : n - 1;
+        a.open = true;
+      } else {
+        g = low ? -1 - g : 2 * n - 1 - g;
+        a.flip = !a.flip;
+      }
+    }
+    a.offset = g / nb - block.at[d];
+    a.local = g % nb;
+    return a;
+  }
+
+  void map_axis(const Block<Dim>& block, int d) {
+    const int n = box_.extent(d);
+    const auto axis = static_cast<std::size_t>(d);
+    for (int i = 0; i < n; ++i) axis_[axis][static_cast<std::size_t>(i)] = map_index(block, d, box_.lo[d] + i);
+    if (d != 0) return;
+    runs_ = 0;
+    for (int i = 0; i < n; ++i) {
+      const Axis a = axis_[0][static_cast<std::size_t>(i)];
+      if (runs_ > 0) {
+        Run& run = run_[static_cast<std::size_t>(runs_ - 1)];
+        const int step = a.local - (run.local + (run.n - 1) * run.step);
+        if (a.offset == run.offset && a.flip == run.flip && a.outside == run.outside && a.open == run.open && step >= -1 && step <= 1 &&
+            (run.n == 1 || step == run.step)) {
+          run.step = step;
+          ++run.n;
+          continue;
+        }
+      }
+      run_[static_cast<std::size_t>(runs_++)] = {i, 1, a.offset, a.local, 1, a.flip, a.outside, a.open};
+    }
+  }
+
+  template <class T, class From>
+  void gather_row(const Index<Dim>& row, const From& from, T missing, Beyond beyond, T* out, unsigned odd) const {
+    int block_row = 0, cell_row = 0, block_stride = 3, cell_stride = layout_.extent(0);
+    bool outside = false, open = false;
+    unsigned flips = 0;
+    for (int d = 1; d < Dim; ++d) {
+      const Axis& a = axis_[static_cast<std::size_t>(d)][static_cast<std::size_t>(row[d] - box_.lo[d])];
+      block_row += (a.offset + 1) * block_stride;
+      cell_row += a.local * cell_stride;
+      block_stride *= 3;
+      cell_stride *= layout_.extent(d);
+      outside = outside || a.outside;
+      open = open || a.open;
+      flips |= static_cast<unsigned>(a.flip) << d;
+    }
+    for (int r = 0; r < runs_; ++r) {
+      const Run& run = run_[static_cast<std::size_t>(r)];
+      const T* base = from[static_cast<std::size_t>(block_row + run.offset + 1)];
+      T* to = out + run.to;
+      if (base == nullptr || (beyond == Beyond::nothing && (outside || run.outside)) ||
+          (beyond == Beyond::mirror && (open || run.open))) {
+        std::fill(to, to + run.n, missing);
+        continue;
+      }
+      base += cell_row + run.local;
+      if (run.step == 1)
+        std::memcpy(to, base, static_cast<std::size_t>(run.n) * sizeof(T));
+      else
+        for (int i = 0; i < run.n; ++i) to[i] = base[i * run.step];
+      if constexpr (std::is_same_v<T, double>) {
+        const unsigned turned = (flips | (run.flip ? 1U : 0U)) & odd;
+        if (__builtin_popcount(turned) % 2 == 1)
+          for (int i = 0; i < run.n; ++i) to[i] = -to[i];
+      }
+    }
+  }
+
+  static constexpr std::size_t longest = 160;  // block and halo along one axis
+
+  const Mesh<Dim>& mesh_;
+  Box<Dim> layout_, inner_, box_;
+  std::array<std::array<Axis, longest>, Dim> axis_{};
+  std::array<Run, longest> run_{};
+  int runs_ = 0;
+  std::array<int, static_cast<std::size_t>(power<Dim>(3))> slots_{};
+};
+
+}  // namespace recoil

@@ -1,0 +1,215 @@
+#include "interface/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/primitives.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double fit_box = 2.35;     // half width [dx]
+constexpr double fit_ridge = 0.006;  // of the total weight, on the diagonal of the gradient's matrix
+constexpr int fit_reach = 7;         // the widest box reaches 6 cells, the surface point lies at most 1 away
+
+template <int Dim>
+using Matrix = std::array<Vec<Dim>, Dim>;
+
+/// Inverse of a symmetric positive matrix by its adjugate.
+template <int Dim>
+Matrix<Dim> inverse(const Matrix<Dim>& m) {
+  Matrix<Dim> a;
+  if constexpr (Dim == 1) {
+    a[0][0] = 1 / m[0][0];
+  } else if constexpr (Dim == 2) {
+    const double det = 1 / (m[0][0] * m[1][1] - m[0][1] * m[0][1]);
+    a[0][0] = m[1][1] * det;
+    a[1][1] = m[0][0] * det;
+    a[0][1] = a[1][0] = -m[0][1] * det;
+  } else {
+    const double c00 = m[1][1] * m[2][2] - m[1][2] * m[1][2], c01 = m[0][2] * m[1][2] - m[0][1] * m[2][2],
+                 c02 = m[0][1] * m[1][2] - m[0][2] * m[1][1];
+    const double det = 1 / (m[0][0] * c00 + m[0][1] * c01 + m[0][2] * c02);
+    a[0][0] = c00 * det;
+    a[0][1] = a[1][0] = c01 * det;
+    a[0][2] = a[2][0] = c02 * det;
+    a[1][1] = (m[0][0] * m[2][2] - m[0][2] * m[0][2]) * det;
+    a[1][2] = a[2][1] = (m[0][2] * m[0][1] - m[0][0] * m[1][2]) * det;
+    a[2][2] = (m[0][0] * m[1][1] - m[0][1] * m[0][1]) * det;
+  }
+  return a;
+}
+
+/// The donors around one surface point, within a box of `half` cells. Appends to block.donors; places go to `place`.
+template <int Dim>
+int collect(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, const std::uint8_t* role,
+            const Vec<Dim>& point, int half, std::vector<Donor<Dim>>& donors) {
+  const Grid<Dim>& grid = state.grid();
+  Index<Dim> centre;
+  Vec<Dim> at;
+  for (int d = 0; d < Dim; ++d) {
+    at[d] = (point[d] - grid.origin[d]) / grid.dx - 0.5;
+    centre[d] = static_cast<int>(std::floor(at[d] + 0.5));
+  }
+  Box<Dim> box;
+  for (int d = 0; d < Dim; ++d) {
+    box.lo[d] = std::max(centre[d] - half, w.box().lo[d]);
+    box.hi[d] = std::min(centre[d] + half + 1, w.box().hi[d]);
+  }
+  const double limit = half > 2 ? half : fit_box, decay = half > 2 ? 0.3 : 0.6;
+  const std::size_t before = donors.size();
+  for_each(box, [&](const Index<Dim>& i) {
+    if ((role[w.at(i)] & donates) == 0) return;
+    const auto from = w.source(i);
+    const BodyBlock<Dim>& home = body.at(from.slot);
+    Vec<Dim> x;
+    for (int d = 0; d < Dim; ++d) x[d] = i[d] - at[d];
+    const int cut = home.geometry.index[static_cast<std::size_t>(from.cell)];
+    if (cut >= 0) {
+      const Vec<Dim>& centroid = home.geometry.cuts[static_cast<std::size_t>(cut)].centroid;
+      for (int d = 0; d < Dim; ++d) x[d] += (from.flips >> d & 1U) != 0 ? -centroid[d] : centroid[d];
+    }
+    double r2 = 0;
+    for (int d = 0; d < Dim; ++d) {
+      if (std::abs(x[d]) > limit) return;
+      r2 += x[d] * x[d];
+    }
+    const Index<Dim> home_cell = state.mesh.block(from.slot).cells.lo + grid.layout().index(from.cell);
+    const double fill = home.volume[static_cast<std::size_t>(from.cell)] / grid.full_volume(home_cell);
+    donors.push_back({from.slot, from.cell, from.flips, std::exp(-decay * r2) * std::min(fill, 1.0), x});
+  });
+  return static_cast<int>(donors.size() - before);
+}
+
+/// From weights and places (kept in slope_weight) to the coefficients of mean and gradient.
+template <int Dim>
+void solve(Wall<Dim>& wall, std::vector<Donor<Dim>>& donors) {
+  double total = 0;
+  Vec<Dim> first;
+  Matrix<Dim> second{};
+  const auto begin = donors.begin() + wall.first_donor, end = begin + wall.donors;
+  for (auto it = begin; it != end; ++it) {
+    total += it->weight;
+    for (int d = 0; d < Dim; ++d) {
+      first[d] += it->weight * it->slope_weight[d];
+      for (int e = d; e < Dim; ++e)
+        second[static_cast<std::size_t>(d)][e] += it->weight * it->slope_weight[d] * it->slope_weight[e];
+    }
+  }
+  const Vec<Dim> mean = first * (1 / total);
+  for (int d = 0; d < Dim; ++d)
+    for (int e = d; e < Dim; ++e) {
+      double& m = second[static_cast<std::size_t>(d)][e];
+      m -= total * mean[d] * mean[e];
+      if (d == e) m += fit_ridge * total;
+      second[static_cast<std::size_t>(e)][d] = m;
+    }
+  const Matrix<Dim> a = inverse<Dim>(second);
+  wall.donor_centre = mean;
+  for (auto it = begin; it != end; ++it) {
+    const Vec<Dim> x = it->slope_weight - mean;
+    for (int d = 0; d < Dim; ++d) it->slope_weight[d] = it->weight * dot(a[static_cast<std::size_t>(d)], x);
+    it->weight /= total;
+  }
+}
+
+/// A cut cell whose matter is too little to be fitted moves with what it holds.
+template <int Dim>
+void lone_fit(const Body<Dim>& body, const BodyBlock<Dim>& b, int cell, double full, Wall<Dim>& wall) {
+  using C = Components<Dim>;
+  wall.value = {};
+  wall.range = {};
+  wall.gradient = {};
+  wall.value[C::rho] = density(body.material);
+  const Contents<Dim> q = contents_of(b, cell);
+  if (q[C::rho] > 1e-9 * full * density(body.material))
+    for (std::size_t d = 0; d < Dim; ++d) wall.value[C::u + d] = q[C::u + d] / q[C::rho];
+}
+
+template <int Dim, class EosModel>
+void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& b, Wall<Dim>& wall, std::size_t n) {
+  using C = Components<Dim>;
+  constexpr std::size_t count = EosModel::barotropic ? C::primitives : C::contents;
+  const Donor<Dim>* const donors = b.donors.data() + wall.first_donor;
+  for (std::size_t c = 0; c < count; ++c) {
+    double base = 0, mean = 0, low = 0, high = 0;
+    Vec<Dim> gradient;
+    for (int k = 0; k < wall.donors; ++k) {
+      const Donor<Dim>& donor = donors[k];
+      double v = body.at(donor.slot).average[c * n + static_cast<std::size_t>(donor.cell)];
+      if (donor.flips != 0 && component_sign<Dim>(static_cast<int>(c), donor.flips) < 0) v = -v;
+      if (k == 0) base = low = high = v;
+      const double from_base = v - base;
+      mean += donor.weight * from_base;
+      gradient += from_base * donor.slope_weight;
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+    mean += base;
+    wall.range[c] = high - low;
+    wall.gradient[c] = gradient;
+    const double at_surface = mean - dot(gradient, wall.donor_centre), slack = 0.5 * (high - low);
+    wall.value[c] = c == C::rho || c >= C::ep ? mean : std::clamp(at_surface, low - slack, high + slack);
+    if (c == C::p) wall.range[C::extra] = mean;  // kept for the density below
+  }
+  const double rho = wall.value[C::rho], mean_p = wall.range[C::extra];
+  const double c0 = bulk_sound_speed(eos), c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_sound * c0 * c0);
+  wall.value[C::rho] = rho + std::clamp((wall.value[C::p] - mean_p) / c2, -0.4 * rho, 0.6 * rho);
+  wall.value[C::ep] = std::max(0.0, wall.value[C::ep]);
+  wall.range[C::extra] = 0;
+}
+
+}  // namespace
+
+template <int Dim>
+void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.donors.clear();
+  b.walls.assign(b.geometry.cuts.size(), {});
+  if (b.geometry.cuts.empty()) return;
+  const Window<Dim> w(state.mesh, slot, fit_reach);
+  auto* role = scratch.take<std::uint8_t>(static_cast<std::size_t>(w.size()));
+  w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0}, Beyond::extend,
+           role);
+  for (std::size_t m = 0; m < b.walls.size(); ++m) {
+    Wall<Dim>& wall = b.walls[m];
+    wall.first_donor = static_cast<int>(b.donors.size());
+    for (int half = 2; half <= 6 && wall.donors == 0; half += 2)
+      wall.donors = collect(state, body, w, role, b.geometry.cuts[m].point, half, b.donors);
+    if (wall.donors > 0)
+      solve(wall, b.donors);
+    else
+      ++counters.cuts_without_donor;
+  }
+}
+
+template <int Dim>
+void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot) {
+  BodyBlock<Dim>& b = body.at(slot);
+  const auto n = static_cast<std::size_t>(state.grid().layout().size());
+  const Box<Dim> layout = state.grid().layout();
+  std::visit(
+      [&](const auto& eos) {
+        for (std::size_t m = 0; m < b.walls.size(); ++m) {
+          if (b.walls[m].donors > 0) {
+            evaluate(eos, body, b, b.walls[m], n);
+            continue;
+          }
+          const int cell = b.geometry.cuts[m].cell;
+          const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cell);
+          lone_fit(body, b, cell, state.grid().full_volume(i), b.walls[m]);
+        }
+      },
+      body.material.eos);
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                     \
+  template void choose_donors<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);        \
+  template void evaluate_fits<Dim>(const State<Dim>&, Body<Dim>&, int);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

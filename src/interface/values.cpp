@@ -1,0 +1,288 @@
+#include "interface/values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/primitives.hpp"
+#include "interface/walls.hpp"
+#include "levelset/distance.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr int layers = 3;       // ghost cells that a face reads on each side
+constexpr int wall_reach = 8;   // foot points lie up to 5 cells away, their walls 2 more
+
+double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
+
+/// Whether the low face across axis d of cell i of a window is open.
+template <int Dim>
+bool open_low_face(const Body<Dim>& body, const Window<Dim>& w, const CellKind* kind, const Index<Dim>& i, int d) {
+  const CellKind k = kind[w.at(i)];
+  if (k != CellKind::cut) return k == CellKind::full;
+  const auto from = w.source(i);
+  const auto& g = body.at(from.slot).geometry;
+  const int side = (from.flips >> d & 1U) != 0 ? 1 : 0;
+  return g.cuts[static_cast<std::size_t>(g.index[static_cast<std::size_t>(from.cell)])]
+             .open[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)] > 0;
+}
+
+template <int Dim>
+bool read_by_a_face(const Body<Dim>& body, const Window<Dim>& w, const CellKind* kind, const Index<Dim>& i) {
+  for (int d = 0; d < Dim; ++d)
+    for (int o = 1 - layers; o <= layers; ++o) {
+      Index<Dim> face = i;
+      face[d] += o;
+      if (open_low_face(body, w, kind, face, d)) return true;
+    }
+  return false;
+}
+
+/// The nearest wall with a fit to a foot point.
+template <int Dim>
+void attach_wall(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, const int* index,
+                 const Vec<Dim>& foot, GhostCell<Dim>& ghost) {
+  const Index<Dim> centre = state.grid().cell_of(foot);
+  Box<Dim> box;
+  for (int d = 0; d < Dim; ++d) {
+    box.lo[d] = std::max(centre[d] - 2, w.box().lo[d]);
+    box.hi[d] = std::min(centre[d] + 3, w.box().hi[d]);
+  }
+  double nearest = 1e300;
+  for_each(box, [&](const Index<Dim>& j) {
+    const int at = index[w.at(j)];
+    if (at < 0) return;
+    const auto from = w.source(j);
+    const auto& home = body.at(from.slot);
+    if (home.walls[static_cast<std::size_t>(at)].donors == 0) return;
+    const Vec<Dim> r = foot - w.appear(j, from, home.geometry.cuts[static_cast<std::size_t>(at)].point);
+    const double r2 = dot(r, r);
+    if (r2 >= nearest) return;
+    nearest = r2;
+    ghost.slot = from.slot;
+    ghost.wall = at;
+    ghost.flips = from.flips;
+    for (int d = 0; d < Dim; ++d) ghost.from_wall[d] = (from.flips >> d & 1U) != 0 ? -r[d] : r[d];
+  });
+}
+
+template <int Dim>
+void store(BodyBlock<Dim>& b, std::size_t n, int cell, const Primitives<Dim>& w) {
+  for (std::size_t c = 0; c < w.size(); ++c) b.stencil[c * n + static_cast<std::size_t>(cell)] = w[c];
+}
+
+template <int Dim>
+double sound_squared(const Material& m, double rho, double p) {
+  return std::visit(
+      [&](const auto& eos) {
+        const double c0 = bulk_sound_speed(eos);
+        return std::max(eos.sound_speed_squared(rho, p), least_sound * c0 * c0);
+      },
+      m.eos);
+}
+
+/// Adds to velocity and deviator of w: du along the normal, and so on. normal_stress: change of S_nn; shear: change of
+/// the shear traction; rest: change of the tangential block, as a full matrix.
+template <int Dim>
+struct Change {
+  double normal_velocity = 0, normal_deviator = 0;
+  Vec<Dim> sliding, shear;
+  std::array<Vec<Dim>, Dim> tangential{};
+};
+
+template <int Dim>
+void apply(Primitives<Dim>& w, const Change<Dim>& x, const Vec<Dim>& n) {
+  using C = Components<Dim>;
+  for (int i = 0; i < Dim; ++i) {
+    w[static_cast<std::size_t>(C::u + i)] += x.normal_velocity * n[i] + x.sliding[i];
+    for (int j = i; j < Dim; ++j) {
+      const int c = C::stress(i, j);
+      if (c >= 0)
+        w[static_cast<std::size_t>(C::s + c)] += x.normal_deviator * n[i] * n[j] + x.shear[i] * n[j] +
+                                                 n[i] * x.shear[j] + x.tangential[static_cast<std::size_t>(i)][j];
+    }
+  }
+}
+
+/// The tangential block of a deviator: S - S_nn n n - (t n + n t).
+template <int Dim>
+std::array<Vec<Dim>, Dim> tangential_block(const Primitives<Dim>& w, const SurfaceState<Dim>& s, const Vec<Dim>& n) {
+  using C = Components<Dim>;
+  std::array<Vec<Dim>, Dim> m{};
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) {
+      const int c = C::stress(i, j);
+      const double sij = c >= 0 ? w[static_cast<std::size_t>(C::s + c)] : -(w[C::s] + w[C::s + 1]);
+      m[static_cast<std::size_t>(i)][j] = sij - s.deviator * n[i] * n[j] - s.shear[i] * n[j] - n[i] * s.shear[j];
+    }
+  return m;
+}
+
+/// The slope of all primitives along a direction, per metre, as a set of primitives.
+template <int Dim>
+Primitives<Dim> slope_along(const Wall<Dim>& wall, const Vec<Dim>& n, double dx) {
+  Primitives<Dim> g{};
+  for (std::size_t c = 0; c < g.size(); ++c) g[c] = dot(wall.gradient[c], n) / dx;
+  return g;
+}
+
+/// Moves the average of a regular cut cell from its centroid to the cell's centre.
+template <int Dim>
+Primitives<Dim> centred(const Grid<Dim>& grid, const Material& material, const CutCell<Dim>& cut, const Wall<Dim>& wall,
+                        const Index<Dim>& i, Primitives<Dim> w) {
+  using C = Components<Dim>;
+  const Vec<Dim>& n = wall.normal;
+  const auto here = resolve<Dim>(w, n);
+  const auto fit = resolve<Dim>(wall.value, n);
+  const Primitives<Dim> slope = slope_along(wall, n, grid.dx);
+  const auto g = resolve<Dim>(slope, n);
+  const double to_centre = -dot(cut.centroid, n) * grid.dx;
+  const double to_wall = std::max(dot(cut.point - grid.centre(i), n) + to_centre, 0.25 * grid.dx);
+  const double wall_normal = dot(wall.face_velocity, n);
+  const Vec<Dim> wall_sliding = wall.face_velocity - wall_normal * n;
+  const auto limited = [&](double fitted, double at_wall, double own) {
+    return minmod(fitted, (at_wall - own) / to_wall) * to_centre;
+  };
+  Change<Dim> x;
+  const double stress = limited(2 * g.stress, wall.traction, here.stress);
+  x.normal_velocity = limited(2 * g.velocity, wall_normal, here.velocity);
+  x.normal_deviator = limited(g.deviator, fit.deviator, here.deviator);
+  const auto block = tangential_block(w, here, n), fitted = tangential_block(wall.value, fit, n),
+             slopes = tangential_block(slope, g, n);
+  for (int d = 0; d < Dim; ++d) {
+    const auto e = static_cast<std::size_t>(d);
+    x.shear[d] = limited(g.shear[d], 0, here.shear[d]);
+    x.sliding[d] = limited(g.sliding[d], wall_sliding[d], here.sliding[d]);
+    for (int f = 0; f < Dim; ++f) x.tangential[e][f] = limited(slopes[e][f], fitted[e][f], block[e][f]);
+  }
+  const double p0 = w[C::p], p = here.deviator + x.normal_deviator - (here.stress + stress);
+  w[C::rho] += (p - p0) / sound_squared<Dim>(material, w[C::rho], p0);
+  w[C::p] = p;
+  apply(w, x, n);
+  return w;
+}
+
+/// The state of a wall in the frame of a ghost cell, continued to the foot point.
+template <int Dim>
+Primitives<Dim> wall_value(const Wall<Dim>& wall, const GhostCell<Dim>& ghost, double dx) {
+  using C = Components<Dim>;
+  Primitives<Dim> v = wall.value;
+  for (std::size_t c = C::u; c < C::ep; ++c) v[c] += dot(wall.gradient[c], ghost.from_wall) / dx;
+  if (ghost.flips != 0)
+    for (std::size_t c = 0; c < v.size(); ++c) v[c] *= component_sign<Dim>(static_cast<int>(c), ghost.flips);
+  return v;
+}
+
+/// Largest change of normal stress and of velocity that a ghost may show: what the donors of the fit differ by.
+template <int Dim>
+double stress_range(const Wall<Dim>& wall) {
+  using C = Components<Dim>;
+  double largest = 0, sum = 0;
+  for (int d = 0; d < Dim; ++d) {
+    const int c = C::stress(d, d);
+    const double r = c >= 0 ? wall.range[static_cast<std::size_t>(C::s + c)] : sum;
+    largest = std::max(largest, r);
+    sum += r;
+  }
+  return wall.range[C::p] + 1.5 * largest;
+}
+
+template <int Dim>
+Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, const Wall<Dim>& wall, const GhostCell<Dim>& ghost) {
+  using C = Components<Dim>;
+  const Vec<Dim>& n = ghost.normal;
+  Primitives<Dim> v = wall_value(wall, ghost, grid.dx);
+  const auto s = surface_state(material, v, n);
+  Vec<Dim> own = n;
+  for (int d = 0; d < Dim; ++d)
+    if ((ghost.flips >> d & 1U) != 0) own[d] = -own[d];
+  const auto g = resolve<Dim>(slope_along(wall, own, grid.dx), own);
+  double speed2 = 0;
+  for (int d = 0; d < Dim; ++d) speed2 += wall.range[static_cast<std::size_t>(C::u + d)] * wall.range[static_cast<std::size_t>(C::u + d)];
+  const double most_u = std::sqrt(speed2), most_s = stress_range(wall);
+  const double du = wall.partners != 0 ? std::clamp(g.velocity * ghost.distance, -most_u, most_u) : 0;
+  const double stress = wall.traction + std::clamp(g.stress * ghost.distance, -most_s, most_s);
+  const double normal_velocity = s.velocity - s.stress / s.impedance + wall.traction / s.impedance + du;
+  const double p0 = v[C::p], p = s.deviator - stress, rho = v[C::rho];
+  v[C::rho] = rho + std::clamp((p - p0) / sound_squared<Dim>(material, rho, p0), -0.15 * rho, 0.3 * rho);
+  v[C::p] = p;
+  Change<Dim> x;
+  x.normal_velocity = normal_velocity - s.velocity;
+  x.sliding = -shear_recoil(s);
+  x.shear = -s.shear;
+  apply(v, x, n);
+  return v;
+}
+
+}  // namespace
+
+template <int Dim>
+void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.ghosts.clear();
+  if (!b.near_surface) return;
+  const Grid<Dim>& grid = state.grid();
+  const Window<Dim> w(state.mesh, slot, wall_reach);
+  const auto n = static_cast<std::size_t>(w.size());
+  double* phi = scratch.take<double>(n);
+  auto* kind = scratch.take<CellKind>(n);
+  int* index = scratch.take<int>(n);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx, Beyond::extend,
+           phi);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.kind.data() : nullptr; }, CellKind::empty,
+           Beyond::extend, kind);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1, Beyond::mirror, index);
+  const Box<Dim> layout = grid.layout();
+  for_each(w.inner(), [&](const Index<Dim>& i) {
+    const int cell = layout.at(i - w.inner().lo);
+    if ((b.role[static_cast<std::size_t>(cell)] & regular) != 0 || !read_by_a_face(body, w, kind, i)) return;
+    const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
+    GhostCell<Dim> ghost;
+    ghost.cell = cell;
+    ghost.normal = foot.normal;
+    ghost.distance = foot.distance;
+    attach_wall(state, body, w, index, foot.point, ghost);
+    b.ghosts.push_back(ghost);
+  });
+}
+
+template <int Dim>
+void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
+  BodyBlock<Dim>& b = body.at(slot);
+  if (!b.near_surface) return;
+  const Grid<Dim>& grid = state.grid();
+  const Box<Dim> layout = grid.layout();
+  const Index<Dim> lo = state.mesh.block(slot).cells.lo;
+  const auto n = static_cast<std::size_t>(layout.size());
+  b.stencil = b.average;
+  for (std::size_t m = 0; m < b.walls.size(); ++m) {
+    const CutCell<Dim>& cut = b.geometry.cuts[m];
+    const auto k = static_cast<std::size_t>(cut.cell);
+    double off = 0;
+    for (int d = 0; d < Dim; ++d) off += std::abs(cut.centroid[d]);
+    if ((b.role[k] & regular) == 0 || b.walls[m].donors == 0 || off < 1e-4) continue;
+    Primitives<Dim> w{};
+    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.average[c * n + k];
+    store(b, n, cut.cell, centred(grid, body.material, cut, b.walls[m], lo + layout.index(cut.cell), w));
+  }
+  for (const GhostCell<Dim>& ghost : b.ghosts) {
+    if (ghost.slot < 0) {
+      ++counters.cuts_without_donor;
+      continue;
+    }
+    const Wall<Dim>& wall = body.at(ghost.slot).walls[static_cast<std::size_t>(ghost.wall)];
+    store(b, n, ghost.cell, ghost_value(grid, body.material, wall, ghost));
+    b.role[static_cast<std::size_t>(ghost.cell)] |= valued;
+  }
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                             \
+  template void choose_ghosts<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);           \
+  template void fill_stencil_values<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

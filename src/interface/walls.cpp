@@ -1,0 +1,333 @@
+#include "interface/walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/touch.hpp"
+#include "cutcell/geometry.hpp"
+#include "dynamics/primitives.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double touching_gap = 0.5;   // surfaces farther apart [dx] do not meet in this step
+constexpr double settled_gap = 0.1;    // below this [dx], what was in contact stays so without closing a gap first
+constexpr double small_face = 0.1;     // of dx^(Dim-1): a smaller part of a surface takes its normal from elsewhere
+
+/// One body's piece of the cell at hand.
+template <int Dim>
+struct Side {
+  int body = 0;
+  bool rigid = false;
+  const CutCell<Dim>* cut = nullptr;
+  Wall<Dim>* wall = nullptr;  // null for rigid bodies
+  Vec<Dim> rest;              // part of the surface that nothing has touched yet
+  double touched = 0;         // area in contact
+  Vec<Dim> touched_velocity;  // of that area
+};
+
+template <int Dim>
+struct Around {
+  State<Dim>& state;
+  int slot;
+  Window<Dim> window;
+  double dt, booked, area;                   // dx^(Dim-1)
+  std::vector<const double*> phi;            // by body, in the window; null where absent
+  std::vector<const std::uint32_t*> contact;
+
+  double dx() const { return state.grid().dx; }
+};
+
+template <int Dim>
+Around<Dim> look_around(State<Dim>& state, int slot, double dt, double share, Scratch& scratch) {
+  Around<Dim> a{state, slot, Window<Dim>(state.mesh, slot, 1), dt, share * dt, state.grid().dx_power(Dim - 1), {}, {}};
+  const auto n = static_cast<std::size_t>(a.window.size());
+  for (const Body<Dim>& body : state.bodies) {
+    a.phi.push_back(nullptr);
+    a.contact.push_back(nullptr);
+    if (!body.present(slot)) continue;
+    double* phi = scratch.take<double>(n);
+    a.window.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * a.dx(),
+                    Beyond::extend, phi);
+    a.phi.back() = phi;
+    if (body.rigid) continue;
+    auto* contact = scratch.take<std::uint32_t>(n);
+    a.window.gather([&](int s) { return body.present(s) ? body.at(s).contact.data() : nullptr; }, std::uint32_t{0},
+                    Beyond::extend, contact);
+    a.contact.back() = contact;
+  }
+  return a;
+}
+
+/// Whether a body touched a partner in the last step in this cell or one around it.
+template <int Dim>
+bool was_in_contact(const Around<Dim>& a, int body, int partner, const Index<Dim>& i) {
+  const std::uint32_t* bits = a.contact[static_cast<std::size_t>(body)];
+  if (!bits) return false;
+  Box<Dim> box{i, i};
+  for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
+  bool found = false;
+  for_each(box, [&](const Index<Dim>& j) { found = found || (bits[a.window.at(j)] >> partner & 1U) != 0; });
+  return found;
+}
+
+/// What a part of the wall with this area vector, velocity and traction force does to a piece.
+template <int Dim>
+void act(Side<Dim>& s, const Vec<Dim>& force, double power, const Vec<Dim>& velocity, const Vec<Dim>& area) {
+  Wall<Dim>& w = *s.wall;
+  w.force += force;
+  w.power += power;
+  w.volume_rate += dot(velocity, area);
+  for (int i = 0; i < Dim; ++i) w.stretching[static_cast<std::size_t>(i)] += velocity[i] * area;
+}
+
+/// Direction from the first body into the second, and the area that their surfaces share.
+template <int Dim>
+double shared_area(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, const Index<Dim>& i,
+                   Vec<Dim>& e) {
+  if (second.rigid) {
+    e = -phi_normal(a.window.box(), a.phi[static_cast<std::size_t>(second.body)], i, a.dx());
+    const double own = dot(first.rest, e);
+    return a.state.grid().axisymmetric ? own : std::min(own, norm(second.cut->surface) * 1.0000001);
+  }
+  const Vec<Dim> difference = first.rest - second.rest;
+  if (norm(difference) < 1e-14 * a.area) return 0;
+  e = unit(difference);
+  return std::min(dot(first.rest, e), -dot(second.rest, e));
+}
+
+template <int Dim>
+void record(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, const Touch& t, const Vec<Dim>& e,
+            double area, double gap) {
+  auto& ledger = a.state.ledger[static_cast<std::size_t>(a.slot)];
+  const bool in_order = first.body < second.body;
+  PairRecord<Dim>& r = ledger.pairs[static_cast<std::size_t>(
+      pair_number(std::min(first.body, second.body), std::max(first.body, second.body), a.state.count()))];
+  const Vec<Dim> force = (in_order ? 1.0 : -1.0) * t.traction * area * e;
+  const double power = (in_order ? 1.0 : -1.0) * t.traction * area * t.work_velocity;
+  r.exchanged.momentum += a.booked * force;
+  r.exchanged.energy += a.booked * power;
+  r.area += area;
+  r.force += force;
+  r.traction += t.traction * area;
+  r.velocity += t.work_velocity * area;
+  r.gap += gap * area;
+  r.place += first.cut->point * area;
+  r.widest_gap = std::max(r.widest_gap, gap / a.dx());
+  r.deepest_overlap = std::min(r.deepest_overlap, gap / a.dx());
+}
+
+template <int Dim>
+void touch_part(Side<Dim>& s, int partner, const SurfaceState<Dim>& state, const Vec<Dim>& e, double sign, double normal_velocity,
+                const Touch& t, double area) {
+  // The shear traction on the outward normal sign * e is sign * state.shear.
+  const Vec<Dim> velocity = normal_velocity * e + state.sliding - sign * shear_recoil(state);
+  act(s, sign * t.traction * area * e, sign * t.traction * area * t.work_velocity, velocity, sign * area * e);
+  s.rest -= sign * area * e;
+  s.touched_velocity = (s.touched_velocity * s.touched + velocity * area) * (1 / (s.touched + area));
+  s.touched += area;
+  Wall<Dim>& w = *s.wall;
+  w.partners |= 1U << partner;
+  w.traction = t.traction;
+  w.face_velocity = velocity;
+  w.normal = sign * e;
+}
+
+template <int Dim>
+void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double gap, const Index<Dim>& i, double face) {
+  Vec<Dim> e;
+  const double area = shared_area(a, first, second, i, e);
+  if (area <= 1e-12 * face) return;
+  const auto& bodies = a.state.bodies;
+  const Body<Dim>&one = bodies[static_cast<std::size_t>(first.body)], &other = bodies[static_cast<std::size_t>(second.body)];
+  const bool was = was_in_contact(a, first.body, second.body, i) || was_in_contact(a, second.body, first.body, i);
+  const double gap_speed = was && gap < settled_gap * a.dx() ? 0 : std::max(gap, 0.0) / a.dt;
+  const auto s = surface_state(one.material, first.wall->value, e);
+  const ContactSide mine{s.velocity, s.stress, s.impedance};
+  if (second.rigid) {
+    const Touch t = touch_rigid(mine, dot(other.rigid->velocity, e), gap_speed);
+    if (!t.touching) return;
+    touch_part(first, second.body, s, e, 1, t.first_velocity, t, area);
+    record(a, first, second, t, e, area, gap);
+    return;
+  }
+  const auto r = surface_state(other.material, second.wall->value, e);
+  const Touch t = touch(mine, {r.velocity, r.stress, r.impedance}, gap_speed);
+  if (!t.touching) return;
+  touch_part(first, second.body, s, e, 1, t.first_velocity, t, area);
+  touch_part(second, first.body, r, e, -1, t.second_velocity, t, area);
+  record(a, first, second, t, e, area, gap);
+}
+
+/// All pairs that meet in a cell, smallest gap first: each takes what the ones before have left of the surfaces.
+template <int Dim>
+void touch_all(const Around<Dim>& a, std::vector<Side<Dim>>& sides, const Index<Dim>& i, double face) {
+  struct Pair {
+    double gap;
+    std::size_t first, second;
+  };
+  std::array<Pair, 16> pairs{};
+  std::size_t n = 0;
+  for (std::size_t m = 0; m < sides.size(); ++m)
+    for (std::size_t q = m + 1; q < sides.size(); ++q) {
+      if (sides[m].rigid && sides[q].rigid) continue;
+      const bool swap = sides[m].rigid;
+      const Side<Dim>& first = sides[swap ? q : m];
+      const Grid<Dim>& grid = a.state.grid();
+      const double gap =
+          interpolate(grid, a.window.box(), a.phi[static_cast<std::size_t>(sides[m].body)], first.cut->point) +
+          interpolate(grid, a.window.box(), a.phi[static_cast<std::size_t>(sides[q].body)], first.cut->point);
+      if (gap <= touching_gap * a.dx() && n < pairs.size()) pairs[n++] = {gap, swap ? q : m, swap ? m : q};
+    }
+  std::stable_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(n),
+                   [](const Pair& x, const Pair& y) { return x.gap < y.gap; });
+  for (std::size_t k = 0; k < n; ++k) try_pair(a, sides[pairs[k].first], sides[pairs[k].second], pairs[k].gap, i, face);
+}
+
+/// What no partner has touched is free: no traction, velocity u - sigma/Z n - tau/Z_s.
+template <int Dim>
+void free_part(const Around<Dim>& a, Side<Dim>& s, const Index<Dim>& i, double face) {
+  Wall<Dim>& w = *s.wall;
+  const double whole = norm(s.cut->surface), rest = norm(s.rest);
+  const bool contact = w.partners != 0;
+  if (contact && rest < 1e-6 * face) {
+    w.volume_rate += dot(s.touched_velocity, s.rest);
+    w.velocity = s.touched_velocity;
+    return;
+  }
+  Vec<Dim> velocity;
+  if (contact && rest <= small_face * face) {
+    velocity = w.face_velocity;
+  } else {
+    Vec<Dim> n = rest > small_face * face ? s.rest * (1 / rest)
+                                          : phi_normal(a.window.box(), a.phi[static_cast<std::size_t>(s.body)], i, a.dx());
+    const Material& material = a.state.bodies[static_cast<std::size_t>(s.body)].material;
+    const auto state = surface_state(material, w.value, n);
+    velocity = free_velocity(state.velocity, state.stress, state.impedance) * n + state.sliding - shear_recoil(state);
+    if (!contact) {
+      w.normal = n;
+      w.face_velocity = velocity;
+    }
+  }
+  act(s, {}, 0, velocity, s.rest);
+  const double touched = std::max(whole - rest, 0.0);
+  w.velocity = contact ? (s.touched_velocity * touched + velocity * rest) * (1 / (touched + rest)) : velocity;
+}
+
+template <int Dim>
+void reset(Wall<Dim>& w) {
+  w.traction = 0;
+  w.partners = 0;
+  w.volume_rate = 0;
+  w.force = {};
+  w.power = 0;
+  w.stretching = {};
+}
+
+}  // namespace
+
+template <int Dim>
+SurfaceState<Dim> resolve(const Primitives<Dim>& value, const Vec<Dim>& e) {
+  using C = Components<Dim>;
+  SurfaceState<Dim> s;
+  Vec<Dim> u, t;
+  for (int i = 0; i < Dim; ++i) {
+    u[i] = value[static_cast<std::size_t>(C::u + i)];
+    for (int j = 0; j < Dim; ++j) {
+      const int c = C::stress(i, j);
+      const double sij = c >= 0 ? value[static_cast<std::size_t>(C::s + c)] : -(value[C::s] + value[C::s + 1]);
+      t[i] += sij * e[j];
+    }
+  }
+  s.velocity = dot(u, e);
+  s.sliding = u - s.velocity * e;
+  s.deviator = dot(t, e);
+  s.stress = s.deviator - value[C::p];
+  s.shear = t - s.deviator * e;
+  return s;
+}
+
+template <int Dim>
+SurfaceState<Dim> surface_state(const Material& material, const Primitives<Dim>& value, const Vec<Dim>& e) {
+  using C = Components<Dim>;
+  SurfaceState<Dim> s = resolve<Dim>(value, e);
+  const double rho = value[C::rho], g = shear_modulus(material);
+  const double c2 = std::visit(
+      [&](const auto& eos) {
+        const double c0 = bulk_sound_speed(eos);
+        return std::max(eos.sound_speed_squared(rho, value[C::p]), least_sound * c0 * c0);
+      },
+      material.eos);
+  s.impedance = rho * std::sqrt(c2 + 4 * g / (3 * rho));
+  s.shear_impedance = std::sqrt(rho * g);
+  return s;
+}
+
+template <int Dim>
+void find_walls(State<Dim>& state, int slot, double dt, double share, Scratch& scratch) {
+  auto& ledger = state.ledger[static_cast<std::size_t>(slot)];
+  for (auto& p : ledger.pairs) {
+    const Account<Dim> kept = p.exchanged;
+    p = {};
+    p.exchanged = kept;
+  }
+  bool any = false;
+  for (Body<Dim>& body : state.bodies) {
+    if (body.rigid || !body.present(slot)) continue;
+    for (Wall<Dim>& w : body.at(slot).walls) reset(w);
+    any = any || !body.at(slot).walls.empty();
+  }
+  if (!any) return;
+  const Around<Dim> a = look_around(state, slot, dt, share, scratch);
+  const Box<Dim> layout = state.grid().layout();
+  std::vector<Side<Dim>> sides;
+  for (int m = 0; m < state.count(); ++m) {
+    Body<Dim>& body = state.bodies[static_cast<std::size_t>(m)];
+    if (body.rigid || !body.present(slot)) continue;
+    for (const CutCell<Dim>& cut : body.at(slot).geometry.cuts) {
+      const auto cell = static_cast<std::size_t>(cut.cell);
+      sides.clear();
+      bool mine = true;  // a cell is done with its lowest deformable body
+      for (int q = 0; q < state.count() && mine; ++q) {
+        Body<Dim>& other = state.bodies[static_cast<std::size_t>(q)];
+        if (!other.present(slot)) continue;
+        BodyBlock<Dim>& b = other.at(slot);
+        const int at = b.geometry.index[cell];
+        if (at < 0) continue;
+        if (!other.rigid && q < m) mine = false;
+        const CutCell<Dim>& c = b.geometry.cuts[static_cast<std::size_t>(at)];
+        sides.push_back({q, other.rigid.has_value(), &c, other.rigid ? nullptr : &b.walls[static_cast<std::size_t>(at)],
+                         c.surface, 0, {}});
+      }
+      if (!mine) continue;
+      const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
+      const double face = a.area * state.grid().radius(i[0]);
+      if (sides.size() > 1) touch_all(a, sides, i, face);
+      for (Side<Dim>& s : sides)
+        if (!s.rigid) free_part(a, s, i, face);
+    }
+  }
+  for (Body<Dim>& body : state.bodies)
+    if (!body.rigid && body.present(slot))
+      for (Wall<Dim>& w : body.at(slot).walls) w.mean_velocity += share * w.velocity;
+}
+
+template <int Dim>
+void remember_contact(BodyBlock<Dim>& b) {
+  std::fill(b.contact.begin(), b.contact.end(), 0U);
+  for (std::size_t m = 0; m < b.walls.size(); ++m)
+    b.contact[static_cast<std::size_t>(b.geometry.cuts[m].cell)] = b.walls[m].partners;
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                                  \
+  template SurfaceState<Dim> resolve<Dim>(const Primitives<Dim>&, const Vec<Dim>&);                             \
+  template SurfaceState<Dim> surface_state<Dim>(const Material&, const Primitives<Dim>&, const Vec<Dim>&);     \
+  template void find_walls<Dim>(State<Dim>&, int, double, double, Scratch&);                                    \
+  template void remember_contact<Dim>(BodyBlock<Dim>&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

@@ -1,0 +1,73 @@
+#include "levelset/band.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace recoil {
+
+template <int Dim>
+BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int slot, Scratch& scratch) {
+  const Grid<Dim>& grid = state.grid();
+  const BodyBlock<Dim>& b = body.at(slot);
+  BandChoice<Dim> choice;
+  bool around = false;
+  for (const int s : state.mesh.block(slot).neighbour) around = around || (s >= 0 && body.present(s));
+  if (!around) return choice;
+  const Window<Dim> w(state.mesh, slot, 2);
+  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx, Beyond::extend,
+           phi);
+  const double band = band_cells * grid.dx;
+  bool inside = false;
+  for (int k = 0; k < w.size(); ++k) {
+    choice.near_surface = choice.near_surface || std::abs(phi[k]) < band;
+    inside = inside || phi[k] < 0;
+  }
+  choice.present = choice.near_surface || (inside && !body.rigid);
+  if (!b.present || body.rigid) return choice;
+  // Pieces that the level set has lost stay, and stay cut.
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
+  bool any = false, partial = false;
+  for_each(cells, [&](const Index<Dim>& i) {
+    const double v = b.volume[static_cast<std::size_t>(layout.at(i - cells.lo))];
+    any = any || v != 0;
+    partial = partial || (v != 0 && std::abs(v - grid.full_volume(i)) > 1e-12 * grid.full_volume(i));
+  });
+  choice.present = choice.present || any;
+  choice.near_surface = choice.near_surface || partial || (any && !inside);
+  return choice;
+}
+
+template <int Dim>
+void apply_band(const State<Dim>& state, Body<Dim>& body, int slot, const BandChoice<Dim>& choice) {
+  if (!choice.present) {
+    leave_block(body, slot);
+    return;
+  }
+  enter_block(body, slot, state.grid());
+  BodyBlock<Dim>& b = body.at(slot);
+  const bool was_near = b.near_surface;
+  b.near_surface = choice.near_surface;
+  if (choice.near_surface || !was_near) return;
+  const CellKind kind = b.phi[0] < 0 ? CellKind::full : CellKind::empty;
+  for (Geometry<Dim>* g : {&b.geometry, &b.settled}) {
+    std::fill(g->kind.begin(), g->kind.end(), kind);
+    std::fill(g->index.begin(), g->index.end(), -1);
+    g->cuts.clear();
+  }
+  b.walls.clear();
+  b.ghosts.clear();
+  std::fill(b.carrier.begin(), b.carrier.end(), 0.0);
+  std::fill(b.role.begin(), b.role.end(), static_cast<std::uint8_t>(donates | regular | valued));
+  std::fill(b.contact.begin(), b.contact.end(), 0U);
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                                \
+  template BandChoice<Dim> choose_band<Dim>(const State<Dim>&, const Body<Dim>&, int, Scratch&);              \
+  template void apply_band<Dim>(const State<Dim>&, Body<Dim>&, int, const BandChoice<Dim>&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "cutcell/geometry.hpp"
+
+namespace recoil {
+
+/// Half width of the band in which phi is carried along and corrected [cells].
+inline constexpr double carried_cells = 4.5;
+
+/// The nearest point of a surface to the centre of a cell.
+template <int Dim>
+struct Foot {
+  Vec<Dim> point;       // [m]
+  Vec<Dim> normal;      // grad phi, out of the body
+  double distance = 0;  // [m] positive outside
+};
+
+/// Steps from the cell's centre along -phi grad phi, with one correction by the interpolated phi.
+/// The window reaches at least 5 cells beyond i.
+template <int Dim>
+Foot<Dim> foot_point(const Grid<Dim>& grid, const Box<Dim>& window, const double* phi, const Index<Dim>& i);
+
+/// Brings phi back to a signed distance in the band |phi| < 7.5 dx, without moving the surface: subcell-fixed
+/// Jacobi sweeps (Russo & Smereka 2000; du Chene, Min & Gibou 2008) from BodyBlock::phi into ::phi_next.
+/// @param frozen cells with |phi| below this many dx keep their value; negative: none.
+/// @param sweeps at most 4.
+template <int Dim>
+void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, double frozen, Scratch& scratch);
+
+}  // namespace recoil

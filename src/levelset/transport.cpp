@@ -1,0 +1,208 @@
+#include "levelset/transport.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace recoil {
+
+namespace {
+
+double weno_slope(double v1, double v2, double v3, double v4, double v5) {
+  const auto square = [](double x) { return x * x; };
+  const double s1 = 13.0 / 12 * square(v1 - 2 * v2 + v3) + 0.25 * square(v1 - 4 * v2 + 3 * v3);
+  const double s2 = 13.0 / 12 * square(v2 - 2 * v3 + v4) + 0.25 * square(v2 - v4);
+  const double s3 = 13.0 / 12 * square(v3 - 2 * v4 + v5) + 0.25 * square(3 * v3 - 4 * v4 + v5);
+  constexpr double least = 1e-6;
+  const double a = 0.1 / square(s1 + least), b = 0.6 / square(s2 + least), c = 0.3 / square(s3 + least);
+  return (a * (2 * v1 - 7 * v2 + 11 * v3) + b * (-v2 + 5 * v3 + 2 * v4) + c * (2 * v3 + 5 * v4 - v5)) /
+         (6 * (a + b + c));
+}
+
+/// u . grad phi at a cell, each derivative from the side that the flow comes from.
+template <int Dim>
+double advection(const Box<Dim>& window, const double* phi, int k, const Vec<Dim>& u, double h) {
+  double sum = 0;
+  for (int d = 0; d < Dim; ++d) {
+    if (u[d] == 0) continue;
+    const int st = u[d] > 0 ? window.stride(d) : -window.stride(d);
+    std::array<double, 5> v{};  // slopes, from upwind to downwind, along the flow
+    for (int j = 0; j < 5; ++j)
+      v[static_cast<std::size_t>(j)] = (phi[k + (j - 2) * st] - phi[k + (j - 3) * st]) / h;
+    sum += std::abs(u[d]) * weno_slope(v[0], v[1], v[2], v[3], v[4]);
+  }
+  return sum;
+}
+
+template <int Dim>
+Vec<Dim> carrier_at(const BodyBlock<Dim>& b, int cell, std::size_t n) {
+  Vec<Dim> u;
+  for (int d = 0; d < Dim; ++d) u[d] = b.carrier[static_cast<std::size_t>(d) * n + static_cast<std::size_t>(cell)];
+  return u;
+}
+
+template <int Dim>
+bool moves(const BodyBlock<Dim>& b) {
+  return std::any_of(b.carrier.begin(), b.carrier.end(), [](double u) { return u != 0; });
+}
+
+/// The box of cells within `reach` of a cell, cut to a window.
+template <int Dim>
+Box<Dim> around_cell(const Index<Dim>& centre, int reach, const Box<Dim>& window) {
+  Box<Dim> b;
+  for (int d = 0; d < Dim; ++d) {
+    b.lo[d] = std::max(centre[d] - reach, window.lo[d]);
+    b.hi[d] = std::min(centre[d] + reach + 1, window.hi[d]);
+  }
+  return b;
+}
+
+constexpr int surface_reach = 8;  // foot points lie up to 5 cells away, the walls asked there 3 more
+
+}  // namespace
+
+template <int Dim>
+void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Counters& counters,
+                          Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  std::fill(b.carrier.begin(), b.carrier.end(), 0.0);
+  if (!b.near_surface) return;
+  const Grid<Dim>& grid = state.grid();
+  const double dx = grid.dx, per_area = 1 / grid.dx_power(Dim - 1);
+  const Window<Dim> w(state.mesh, slot, surface_reach);
+  const auto n = static_cast<std::size_t>(w.size());
+  double* phi = scratch.take<double>(n);
+  int* index = scratch.take<int>(n);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi_next.data() : nullptr; }, far_cells * dx,
+           Beyond::extend, phi);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1, Beyond::mirror,
+           index);
+  const Box<Dim> layout = grid.layout();
+  const auto cells = static_cast<std::size_t>(layout.size());
+  for_each(w.inner(), [&](const Index<Dim>& i) {
+    if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
+    const auto k = static_cast<std::size_t>(layout.at(i - w.inner().lo));
+    const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
+    double weights = 0;
+    Vec<Dim> u;
+    for (int reach = 1; reach <= 3 && weights == 0; ++reach)
+      for_each(around_cell(grid.cell_of(foot.point), reach, w.box()), [&](const Index<Dim>& j) {
+        const int at = index[w.at(j)];
+        if (at < 0) return;
+        const auto from = w.source(j);
+        const auto& home = body.at(from.slot);
+        const CutCell<Dim>& cut = home.geometry.cuts[static_cast<std::size_t>(at)];
+        const Vec<Dim> r = w.appear(j, from, cut.point) - foot.point;
+        const double weight = std::exp(-2 * dot(r, r) / (dx * dx)) *
+                              (norm(cut.surface) * per_area / grid.radius(j[0]) + 0.02);
+        const Vec<Dim>& wall = home.walls[static_cast<std::size_t>(at)].mean_velocity;
+        weights += weight;
+        for (int d = 0; d < Dim; ++d) u[d] += weight * ((from.flips >> d & 1U) != 0 ? -wall[d] : wall[d]);
+      });
+    if (weights > 0) {
+      u *= 1 / weights;
+    } else if ((b.role[k] & regular) != 0) {
+      for (int d = 0; d < Dim; ++d) u[d] = b.average[static_cast<std::size_t>(Components<Dim>::u + d) * cells + k];
+    }
+    const double step = norm(u) * dt;
+    if (step > dx) {
+      u *= dx / step;
+      ++counters.capped_speeds;
+    }
+    for (int d = 0; d < Dim; ++d) b.carrier[static_cast<std::size_t>(d) * cells + k] = u[d];
+  });
+}
+
+template <int Dim>
+void carry(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.phi_next = b.phi;
+  if (!b.near_surface || !moves(b)) return;
+  const Grid<Dim>& grid = state.grid();
+  const Window<Dim> w(state.mesh, slot, 3);
+  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx,
+           Beyond::extend, phi);
+  const Box<Dim> layout = grid.layout();
+  const auto n = static_cast<std::size_t>(layout.size());
+  for_each(w.inner(), [&](const Index<Dim>& i) {
+    const int k = layout.at(i - w.inner().lo);
+    b.phi_next[static_cast<std::size_t>(k)] -= dt * advection(w.box(), phi, w.at(i), carrier_at(b, k, n), grid.dx);
+  });
+}
+
+template <int Dim>
+void carry_again(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  if (!b.near_surface || !moves(b)) return;
+  const Grid<Dim>& grid = state.grid();
+  const double far = far_cells * grid.dx;
+  const Window<Dim> w(state.mesh, slot, 3);
+  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi_next.data() : nullptr; }, far, Beyond::extend, phi);
+  const Box<Dim> layout = grid.layout();
+  const auto n = static_cast<std::size_t>(layout.size());
+  for_each(w.inner(), [&](const Index<Dim>& i) {
+    const int cell = layout.at(i - w.inner().lo), k = w.at(i);
+    double& p = b.phi[static_cast<std::size_t>(cell)];
+    const double again = phi[k] - dt * advection(w.box(), phi, k, carrier_at(b, cell, n), grid.dx);
+    p = std::clamp(0.5 * (p + again), -far, far);
+  });
+}
+
+template <int Dim>
+void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double rate, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.phi_next = b.phi;
+  if (!b.near_surface) return;
+  const Grid<Dim>& grid = state.grid();
+  const double dx = grid.dx;
+  const Window<Dim> w(state.mesh, slot, surface_reach);
+  const auto n = static_cast<std::size_t>(w.size());
+  double* phi = scratch.take<double>(n);
+  int* index = scratch.take<int>(n);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * dx, Beyond::extend,
+           phi);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).settled.index.data() : nullptr; }, -1, Beyond::mirror,
+           index);
+  const Box<Dim> layout = grid.layout();
+  for_each(w.inner(), [&](const Index<Dim>& i) {
+    if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
+    const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
+    double sum = 0, weights = 0;
+    for_each(around_cell(grid.cell_of(foot.point), 2, w.box()), [&](const Index<Dim>& j) {
+      const int at = index[w.at(j)];
+      if (at < 0) return;
+      const Vec<Dim> r = grid.centre(j) - foot.point;
+      const double weight = std::exp(-dot(r, r) / (dx * dx));
+      sum += weight * body.at(w.source(j).slot).settled.cuts[static_cast<std::size_t>(at)].mismatch;
+      weights += weight;
+    });
+    if (weights > 1e-3) b.phi_next[static_cast<std::size_t>(layout.at(i - w.inner().lo))] -= rate * sum / weights;
+  });
+}
+
+template <int Dim>
+void place_rigid(const State<Dim>& state, Body<Dim>& body, int slot, double time, PhiAt where) {
+  const Grid<Dim>& grid = state.grid();
+  const double far = far_cells * grid.dx;
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
+  BodyBlock<Dim>& b = body.at(slot);
+  double* phi = where == PhiAt::midstep ? b.phi_next.data() : b.phi.data();
+  const Vec<Dim> moved = body.rigid->velocity * time;
+  for_each(cells, [&](const Index<Dim>& i) {
+    phi[layout.at(i - cells.lo)] = std::clamp(body.rigid->distance(grid.centre(i) - moved), -far, far);
+  });
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                             \
+  template void spread_wall_velocity<Dim>(const State<Dim>&, Body<Dim>&, int, double, Counters&, Scratch&); \
+  template void carry<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                           \
+  template void carry_again<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                     \
+  template void follow_volume<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                   \
+  template void place_rigid<Dim>(const State<Dim>&, Body<Dim>&, int, double, PhiAt);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

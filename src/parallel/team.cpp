@@ -1,0 +1,90 @@
+#include "parallel/team.hpp"
+
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace recoil::parallel {
+
+struct Team::Pool {
+  std::vector<std::unique_ptr<Scratch>> scratch;
+  std::vector<std::jthread> workers;
+  const std::function<void(int, int)>* task = nullptr;
+  int items = 0;
+  std::atomic<int> next{0}, busy{0};
+  std::atomic<unsigned> round{0};
+  std::atomic<bool> stop{false};
+  std::mutex failure_mutex;
+  std::exception_ptr failure;
+  int failed_item = std::numeric_limits<int>::max();
+
+  void work(int worker) {
+    for (int item = next.fetch_add(1); item < items; item = next.fetch_add(1)) {
+      try {
+        (*task)(item, worker);
+      } catch (...) {
+        const std::lock_guard lock(failure_mutex);
+        if (item < failed_item) {
+          failed_item = item;
+          failure = std::current_exception();
+        }
+      }
+    }
+  }
+
+  void serve(int worker) {
+    unsigned seen = 0;
+    while (true) {
+      round.wait(seen);
+      seen = round.load();
+      if (stop) return;
+      work(worker);
+      if (busy.fetch_sub(1) == 1) busy.notify_one();
+    }
+  }
+};
+
+Team::Team(int threads) : pool_(std::make_unique<Pool>()) {
+  require(threads >= 1, "a team has at least one thread");
+  for (int i = 0; i < threads; ++i) pool_->scratch.push_back(std::make_unique<Scratch>());
+  for (int i = 1; i < threads; ++i) pool_->workers.emplace_back([this, i] { pool_->serve(i); });
+}
+
+Team::~Team() {
+  pool_->stop = true;
+  pool_->round.fetch_add(1);
+  pool_->round.notify_all();
+}
+
+int Team::threads() const { return static_cast<int>(pool_->scratch.size()); }
+
+Scratch& Team::scratch(int worker) { return *pool_->scratch[static_cast<std::size_t>(worker)]; }
+
+void Team::run(int items, const std::function<void(int, int)>& task) {
+  Pool& p = *pool_;
+  p.task = &task;
+  p.items = items;
+  p.next = 0;
+  // Waking the others costs more than a few blocks of work.
+  const bool together = threads() > 1 && items >= 4;
+  if (together) {
+    p.busy = threads() - 1;
+    p.round.fetch_add(1);
+    p.round.notify_all();
+  }
+  p.work(0);
+  if (together)
+    for (int left = p.busy.load(); left > 0; left = p.busy.load()) p.busy.wait(left);
+  if (p.failure) {
+    const auto failure = std::exchange(p.failure, nullptr);
+    p.failed_item = std::numeric_limits<int>::max();
+    std::rethrow_exception(failure);
+  }
+}
+
+}  // namespace recoil::parallel

@@ -1,0 +1,125 @@
+#include "parallel/world.hpp"
+
+#include <mpi.h>
+
+#include <cstdlib>
+#include <cstring>
+
+#include "core/error.hpp"
+
+namespace recoil::parallel {
+
+namespace {
+
+bool started() {
+  int yes = 0, ended = 0;
+  MPI_Initialized(&yes);
+  MPI_Finalized(&ended);
+  return yes && !ended;
+}
+
+constexpr int tag_size = 1, tag_data = 2;
+
+}  // namespace
+
+Session::Session() {
+  int provided = 0;
+  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
+    throw EnvironmentError("MPI could not be started");
+}
+
+Session::~Session() { MPI_Finalize(); }
+
+int World::rank() const {
+  int r = 0;
+  if (started()) MPI_Comm_rank(MPI_COMM_WORLD, &r);
+  return r;
+}
+
+int World::size() const {
+  int n = 1;
+  if (started()) MPI_Comm_size(MPI_COMM_WORLD, &n);
+  return n;
+}
+
+double World::min(double local) const {
+  double global = local;
+  if (size() > 1) MPI_Allreduce(&local, &global, 1, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
+  return global;
+}
+
+double World::max(double local) const { return -min(-local); }
+
+bool World::any(bool local) const { return max(local ? 1 : 0) > 0; }
+
+void World::sum(std::span<std::int64_t> values) const {
+  if (size() > 1)
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_INT64_T, MPI_SUM,
+                  MPI_COMM_WORLD);
+}
+
+std::vector<Bytes> World::gather(const Bytes& local) const {
+  if (size() == 1) return {local};
+  std::vector<Bytes> all;
+  if (rank() != 0) {
+    const std::uint64_t n = local.size();
+    MPI_Send(&n, 1, MPI_UINT64_T, 0, tag_size, MPI_COMM_WORLD);
+    MPI_Send(local.data(), static_cast<int>(n), MPI_BYTE, 0, tag_data, MPI_COMM_WORLD);
+    return all;
+  }
+  all.push_back(local);
+  for (int r = 1; r < size(); ++r) {
+    std::uint64_t n = 0;
+    MPI_Recv(&n, 1, MPI_UINT64_T, r, tag_size, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    all.emplace_back(n);
+    MPI_Recv(all.back().data(), static_cast<int>(n), MPI_BYTE, r, tag_data, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  }
+  return all;
+}
+
+void World::broadcast(Bytes& bytes) const {
+  if (size() == 1) return;
+  std::uint64_t n = bytes.size();
+  MPI_Bcast(&n, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+  bytes.resize(n);
+  MPI_Bcast(bytes.data(), static_cast<int>(n), MPI_BYTE, 0, MPI_COMM_WORLD);
+}
+
+std::vector<Message> World::exchange(const std::vector<Message>& out, const std::vector<int>& from) const {
+  std::vector<Message> in(from.size());
+  if (size() == 1) return in;
+  std::vector<MPI_Request> requests;
+  std::vector<std::uint64_t> out_size(out.size()), in_size(from.size());
+  const auto request = [&requests]() { return &requests.emplace_back(); };
+  requests.reserve(2 * (out.size() + from.size()));
+  for (std::size_t i = 0; i < from.size(); ++i)
+    MPI_Irecv(&in_size[i], 1, MPI_UINT64_T, from[i], tag_size, MPI_COMM_WORLD, request());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out_size[i] = out[i].bytes.size();
+    MPI_Isend(&out_size[i], 1, MPI_UINT64_T, out[i].rank, tag_size, MPI_COMM_WORLD, request());
+    MPI_Isend(out[i].bytes.data(), static_cast<int>(out_size[i]), MPI_BYTE, out[i].rank, tag_data,
+              MPI_COMM_WORLD, request());
+  }
+  MPI_Waitall(static_cast<int>(from.size()), requests.data(), MPI_STATUSES_IGNORE);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    in[i].rank = from[i];
+    in[i].bytes.resize(in_size[i]);
+    MPI_Irecv(in[i].bytes.data(), static_cast<int>(in_size[i]), MPI_BYTE, from[i], tag_data, MPI_COMM_WORLD,
+              request());
+  }
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  return in;
+}
+
+void World::abort(int code) const {
+  if (size() > 1) MPI_Abort(MPI_COMM_WORLD, code);
+  std::exit(code);
+}
+
+void Unpacker::take(std::byte* to, std::size_t n) {
+  require(static_cast<std::size_t>(end_ - at_) >= n, "a message is shorter than what is read from it");
+  std::memcpy(to, at_, n);
+  at_ += n;
+}
+
+}  // namespace recoil::parallel

@@ -1,0 +1,328 @@
+#include "timestep/phases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "cutcell/moves.hpp"
+#include "cutcell/redistribution.hpp"
+#include "dynamics/block_update.hpp"
+#include "dynamics/plastic_return.hpp"
+#include "dynamics/primitives.hpp"
+#include "interface/fit.hpp"
+#include "interface/values.hpp"
+#include "interface/walls.hpp"
+#include "levelset/band.hpp"
+#include "levelset/transport.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double follow_rate = 0.02;         // part of the mismatch that phi takes up in a step
+constexpr double frozen_band = 1.6;          // [dx] phi nearer to the surface is not redistanced every step
+constexpr double travel_to_redistance = 10;  // [dx] that surfaces move between full redistancings
+constexpr double shortest_step = 1e-18;      // s
+
+}  // namespace
+
+template <int Dim>
+Phases<Dim>::Phases(State<Dim>& state, Engine& engine) : state_(state), engine_(engine) {
+  for (int slot = 0; slot < state.mesh.local(); ++slot)
+    for (const Body<Dim>& body : state.bodies)
+      if (!body.rigid && body.present(slot)) {
+        blocks_.push_back(slot);
+        break;
+      }
+}
+
+template <int Dim>
+template <class F>
+void Phases<Dim>::for_each_slot(StepPart part, F&& f) {
+  const Timers<StepPart>::Span span(engine_.timers, part);
+  parallel::for_each_block(engine_.team, blocks_, f);
+}
+
+template <int Dim>
+template <class F>
+void Phases<Dim>::for_each_body(StepPart part, F&& f) {
+  for_each_slot(part, [&](int slot, Scratch& scratch) {
+    for (Body<Dim>& body : state_.bodies) {
+      if (body.rigid || !body.present(slot)) continue;
+      const Scratch::Frame frame(scratch);
+      f(body, slot, scratch);
+    }
+  });
+}
+
+template <int Dim>
+void Phases<Dim>::share(unsigned parts) {
+  const Timers<StepPart>::Span span(engine_.timers, StepPart::exchange);
+  recoil::share(state_, engine_.world, parts);
+}
+
+template <int Dim>
+void Phases<Dim>::average_states() {
+  for_each_body(StepPart::averages, [&](Body<Dim>& body, int slot, Scratch&) {
+    choose_roles(state_, body, slot, counters(slot));
+    average_primitives(state_, body, slot, counters(slot));
+  });
+}
+
+template <int Dim>
+void Phases<Dim>::refresh_averages() {
+  for_each_body(StepPart::averages, [&](Body<Dim>& body, int slot, Scratch&) {
+    average_primitives(state_, body, slot, counters(slot));
+  });
+}
+
+template <int Dim>
+double Phases<Dim>::choose_length(const Stepping& stepping, double until) {
+  std::vector<double> fastest(static_cast<std::size_t>(state_.mesh.local()), 0);
+  for_each_body(StepPart::averages, [&](Body<Dim>& body, int slot, Scratch&) {
+    double& f = fastest[static_cast<std::size_t>(slot)];
+    f = std::max(f, fastest_signal(state_, body, slot, counters(slot)));
+  });
+  const double signal = engine_.world.max(*std::max_element(fastest.begin(), fastest.end()));
+  const double stable = signal > 0 ? stepping.cfl / signal : until - state_.time;
+  const double dt = std::min(stepping.fixed_dt.value_or(stable), until - state_.time);
+  if (!(stable > shortest_step))
+    throw PhysicsError(fmt::format("the time step collapsed to {:.3g} s at {:.6g} us", stable, state_.time * 1e6));
+  return dt;
+}
+
+template <int Dim>
+void Phases<Dim>::keep_old() {
+  for_each_body(StepPart::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
+    BodyBlock<Dim>& b = body.at(slot);
+    b.contents_old = b.contents;
+    b.volume_old = b.volume;
+  });
+}
+
+template <int Dim>
+void Phases<Dim>::carry_surfaces_half(double dt) {
+  for_each_slot(StepPart::level_set, [&](int slot, Scratch& scratch) {
+    for (Body<Dim>& body : state_.bodies) {
+      if (!body.present(slot)) continue;
+      if (body.rigid)
+        place_rigid(state_, body, slot, state_.time + 0.5 * dt, PhiAt::midstep);
+      else
+        carry(state_, body, slot, 0.5 * dt, scratch);
+    }
+  });
+  share(part_phi_next);
+}
+
+template <int Dim>
+void Phases<Dim>::cut_cells(Surfaces surfaces, PhiAt when) {
+  for_each_slot(StepPart::geometry, [&](int slot, Scratch& scratch) {
+    find_geometry(state_, slot, surfaces, when, scratch);
+  });
+  share(when == PhiAt::midstep ? part_geometry : part_settled);
+}
+
+template <int Dim>
+void Phases<Dim>::choose_donors_and_ghosts() {
+  share(part_average);
+  for_each_body(StepPart::fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    choose_donors(state_, body, slot, counters(slot), scratch);
+  });
+  share(part_geometry);
+  for_each_body(StepPart::fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    choose_ghosts(state_, body, slot, scratch);
+  });
+}
+
+template <int Dim>
+void Phases<Dim>::find_walls(double dt, double share) {
+  for_each_slot(StepPart::walls, [&](int slot, Scratch& scratch) {
+    for (Body<Dim>& body : state_.bodies)
+      if (!body.rigid && body.present(slot)) evaluate_fits(state_, body, slot);
+    recoil::find_walls(state_, slot, dt, share, scratch);
+  });
+}
+
+template <int Dim>
+void Phases<Dim>::fill_values() {
+  for_each_body(StepPart::values, [&](Body<Dim>& body, int slot, Scratch&) {
+    fill_stencil_values(state_, body, slot, counters(slot));
+  });
+}
+
+template <int Dim>
+void Phases<Dim>::update_matter(double dt, double share) {
+  for_each_slot(StepPart::flux, [&](int slot, Scratch& scratch) {
+    for (int m = 0; m < state_.count(); ++m) {
+      Body<Dim>& body = state_.bodies[static_cast<std::size_t>(m)];
+      if (body.rigid || !body.present(slot)) continue;
+      const Scratch::Frame frame(scratch);
+      auto& ledger = state_.ledger[static_cast<std::size_t>(slot)];
+      update_block(state_, body, slot, dt, share, ledger.edges[static_cast<std::size_t>(m)], ledger.counters, scratch);
+    }
+  });
+}
+
+template <int Dim>
+void Phases<Dim>::apply(StepPart part) {
+  for_each_body(part, [](Body<Dim>& body, int slot, Scratch&) { apply_updates(body.at(slot)); });
+  share(part_matter);
+}
+
+template <int Dim>
+void Phases<Dim>::redistribute_small_pieces() {
+  for_each_body(StepPart::redistribution, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    redistribute(state_, body, slot, counters(slot), scratch);
+  });
+  apply(StepPart::redistribution);
+}
+
+template <int Dim>
+void Phases<Dim>::mend_bad_states() {
+  for (int width = 1; width <= 3; ++width) {
+    for_each_body(StepPart::redistribution, [&](Body<Dim>& body, int slot, Scratch&) {
+      counters(slot).averaged_states += mark_bad_states(state_, body, slot);
+    });
+    std::int64_t bad = 0;
+    for (const int slot : blocks_)
+      for (const Body<Dim>& body : state_.bodies)
+        if (!body.rigid && body.present(slot)) bad += has_bad_state(body.at(slot));
+    if (!engine_.world.any(bad > 0)) return;
+    share(part_average);
+    for_each_body(StepPart::redistribution, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+      average_bad_states(state_, body, slot, width, scratch);
+    });
+    apply(StepPart::redistribution);
+  }
+  for_each_body(StepPart::redistribution, [&](Body<Dim>& body, int slot, Scratch&) { clear_bad_states(body.at(slot)); });
+}
+
+template <int Dim>
+void Phases<Dim>::return_to_yield(double dt, double old_part) {
+  for_each_body(StepPart::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
+    recoil::return_to_yield(state_, body, slot, dt);
+    if (old_part > 0) combine_with_old(body.at(slot), old_part);
+  });
+}
+
+template <int Dim>
+void Phases<Dim>::swap_phi() {
+  for (const int slot : blocks_)
+    for (Body<Dim>& body : state_.bodies)
+      if (!body.rigid && body.present(slot)) std::swap(body.at(slot).phi, body.at(slot).phi_next);
+  share(part_phi);
+}
+
+template <int Dim>
+void Phases<Dim>::carry_surfaces(double dt) {
+  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    spread_wall_velocity(state_, body, slot, dt, counters(slot), scratch);
+  });
+  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    carry(state_, body, slot, dt, scratch);
+  });
+  share(part_phi_next);
+  for_each_slot(StepPart::level_set, [&](int slot, Scratch& scratch) {
+    for (Body<Dim>& body : state_.bodies) {
+      if (!body.present(slot)) continue;
+      if (body.rigid)
+        place_rigid(state_, body, slot, state_.time + dt, PhiAt::now);
+      else
+        carry_again(state_, body, slot, dt, scratch);
+    }
+  });
+  share(part_phi);
+}
+
+template <int Dim>
+void Phases<Dim>::remember_contact() {
+  for_each_body(StepPart::walls, [](Body<Dim>& body, int slot, Scratch&) { recoil::remember_contact(body.at(slot)); });
+  share(part_contact);
+}
+
+template <int Dim>
+void Phases<Dim>::redistance(double dt) {
+  std::vector<double> fastest(static_cast<std::size_t>(state_.mesh.local()), 0);
+  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch&) {
+    for (const Wall<Dim>& w : body.at(slot).walls)
+      fastest[static_cast<std::size_t>(slot)] = std::max(fastest[static_cast<std::size_t>(slot)], norm(w.mean_velocity));
+  });
+  state_.travel += dt * engine_.world.max(*std::max_element(fastest.begin(), fastest.end()));
+  const bool all = state_.travel > travel_to_redistance * state_.grid().dx;
+  if (all) state_.travel = 0;
+  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    if (body.at(slot).near_surface)
+      recoil::redistance(state_, body, slot, all ? 4 : 2, all ? -1 : frozen_band, scratch);
+    else
+      body.at(slot).phi_next = body.at(slot).phi;
+  });
+  swap_phi();
+}
+
+template <int Dim>
+void Phases<Dim>::exchange_along_surfaces() {
+  if (Dim == 1) return;
+  for_each_body(StepPart::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    exchange_along_surface(state_, body, slot, scratch);
+  });
+  apply(StepPart::moves);
+}
+
+template <int Dim>
+void Phases<Dim>::follow_volumes() {
+  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch&) { measure_mismatch(state_, body, slot); });
+  share(part_settled);
+  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    follow_volume(state_, body, slot, follow_rate, scratch);
+  });
+  swap_phi();
+}
+
+template <int Dim>
+void Phases<Dim>::empty_and_fill() {
+  for_each_body(StepPart::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    empty_outside(state_, body, slot, scratch);
+  });
+  apply(StepPart::moves);
+  for_each_body(StepPart::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    fill_inside(state_, body, slot, scratch);
+  });
+  apply(StepPart::moves);
+}
+
+template <int Dim>
+void Phases<Dim>::bound_volumes() {
+  for_each_body(StepPart::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    recoil::bound_volumes(state_, body, slot, counters(slot), scratch);
+  });
+  apply(StepPart::moves);
+}
+
+template <int Dim>
+void Phases<Dim>::update_bands() {
+  const Timers<StepPart>::Span span(engine_.timers, StepPart::band);
+  std::vector<int> all(static_cast<std::size_t>(state_.mesh.local()));
+  for (int slot = 0; slot < state_.mesh.local(); ++slot) all[static_cast<std::size_t>(slot)] = slot;
+  const auto bodies = static_cast<std::size_t>(state_.count());
+  std::vector<BandChoice<Dim>> choice(all.size() * bodies);
+  parallel::for_each_block(engine_.team, all, [&](int slot, Scratch& scratch) {
+    for (std::size_t m = 0; m < bodies; ++m)
+      choice[static_cast<std::size_t>(slot) * bodies + m] = choose_band(state_, state_.bodies[m], slot, scratch);
+  });
+  for (const int slot : all)
+    for (std::size_t m = 0; m < bodies; ++m) {
+      Body<Dim>& body = state_.bodies[m];
+      const bool entered = !body.present(slot);
+      apply_band(state_, body, slot, choice[static_cast<std::size_t>(slot) * bodies + m]);
+      if (entered && body.rigid && body.present(slot)) place_rigid(state_, body, slot, state_.time, PhiAt::now);
+    }
+  recoil::share(state_, engine_.world, part_phi | part_matter | part_contact);
+}
+
+template class Phases<1>;
+template class Phases<2>;
+template class Phases<3>;
+
+}  // namespace recoil

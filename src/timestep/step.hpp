@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "core/timers.hpp"
+#include "cutcell/body.hpp"
+#include "parallel/team.hpp"
+
+namespace recoil {
+
+/// Parts of a step, as `make bench` and the run log show them.
+enum class StepPart { averages, geometry, fits, walls, values, flux, redistribution, plasticity, level_set, moves, exchange, band, count };
+const char* name_of(StepPart part);
+
+/// What drives the steps of a run.
+struct Stepping {
+  double cfl = 0.9;                // of min dx/sum_d(|u_d| + c_L)
+  std::optional<double> fixed_dt;  // s, instead of the stable step
+};
+
+/// The processes, threads and clocks that a step works with.
+struct Engine {
+  const parallel::World& world;
+  parallel::Team& team;
+  Timers<StepPart> timers;
+};
+
+/// Advances all bodies by one step of the conservative moving-boundary method (docs/theory.md), at most to `until` [s].
+/// @returns the step's length [s]. @throws PhysicsError where a state is beyond the equations. Collective.
+template <int Dim>
+double advance(State<Dim>& state, const Stepping& stepping, double until, Engine& engine);
+
+/// Puts the bands of all bodies in place before the first step: what advance() leaves behind. Collective.
+template <int Dim>
+void settle_start(State<Dim>& state, Engine& engine);
+
+}  // namespace recoil
