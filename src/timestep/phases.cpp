@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "cutcell/moves.hpp"
@@ -104,15 +105,10 @@ void Phases<Dim>::keep_old() {
 
 template <int Dim>
 void Phases<Dim>::carry_surfaces_half(double dt) {
-  for_each_slot(StepPart::level_set, [&](int slot, Scratch& scratch) {
-    for (Body<Dim>& body : state_.bodies) {
-      if (!body.present(slot)) continue;
-      if (body.rigid)
-        place_rigid(state_, body, slot, state_.time + 0.5 * dt, PhiAt::midstep);
-      else
-        carry(state_, body, slot, 0.5 * dt, scratch);
-    }
+  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    carry(state_, body, slot, 0.5 * dt, scratch);
   });
+  place_rigid_bodies(state_.time + 0.5 * dt, PhiAt::midstep);
   share(part_phi_next);
 }
 
@@ -224,16 +220,18 @@ void Phases<Dim>::carry_surfaces(double dt) {
     carry(state_, body, slot, dt, scratch);
   });
   share(part_phi_next);
-  for_each_slot(StepPart::level_set, [&](int slot, Scratch& scratch) {
-    for (Body<Dim>& body : state_.bodies) {
-      if (!body.present(slot)) continue;
-      if (body.rigid)
-        place_rigid(state_, body, slot, state_.time + dt, PhiAt::now);
-      else
-        carry_again(state_, body, slot, dt, scratch);
-    }
+  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    carry_again(state_, body, slot, dt, scratch);
   });
+  place_rigid_bodies(state_.time + dt, PhiAt::now);
   share(part_phi);
+}
+
+template <int Dim>
+void Phases<Dim>::place_rigid_bodies(double time, PhiAt where) {
+  for (Body<Dim>& body : state_.bodies)
+    for (int slot = 0; slot < state_.mesh.local(); ++slot)
+      if (body.rigid && body.present(slot)) place_rigid(state_, body, slot, time, where);
 }
 
 template <int Dim>
@@ -304,7 +302,7 @@ template <int Dim>
 void Phases<Dim>::update_bands() {
   const Timers<StepPart>::Span span(engine_.timers, StepPart::band);
   std::vector<int> all(static_cast<std::size_t>(state_.mesh.local()));
-  for (int slot = 0; slot < state_.mesh.local(); ++slot) all[static_cast<std::size_t>(slot)] = slot;
+  std::iota(all.begin(), all.end(), 0);
   const auto bodies = static_cast<std::size_t>(state_.count());
   std::vector<BandChoice<Dim>> choice(all.size() * bodies);
   parallel::for_each_block(engine_.team, all, [&](int slot, Scratch& scratch) {

@@ -53,6 +53,7 @@ class Phases {
   void for_each_slot(StepPart part, F&& f);  // f(slot, scratch)
   Counters& counters(int slot) { return state_.ledger[static_cast<std::size_t>(slot)].counters; }
   void swap_phi();
+  void place_rigid_bodies(double time, PhiAt where);
   void apply(StepPart part);
 
   State<Dim>& state_;
