@@ -26,6 +26,11 @@ void place_keys(Node& root, const std::vector<std::string>& path, const Document
   }
 }
 
+std::string without_blanks(const std::string& s) {
+  const std::size_t first = s.find_first_not_of(" \t");
+  return first == std::string::npos ? std::string() : s.substr(first, s.find_last_not_of(" \t") + 1 - first);
+}
+
 bool is_named_group(const std::string& key) { return key == "body" || key == "gauge" || key == "material"; }
 
 }  // namespace
@@ -47,7 +52,8 @@ void apply_overrides(Document& document, const std::vector<std::string>& overrid
                 "write PATH=VALUE, e.g. mesh.finest=0.1mm");
       continue;
     }
-    const std::vector<std::string> path = split_path(one.substr(0, equals));
+    const std::string dotted = one.substr(0, one.find_last_not_of(" \t", equals - 1) + 1);
+    const std::vector<std::string> path = split_path(dotted);
     const Place at_value{source_name, line, static_cast<int>(equals) + 2,
                          std::max(1, static_cast<int>(one.size() - equals) - 1)};
     if (path.size() >= 2 && is_named_group(path[0])) {
@@ -61,7 +67,7 @@ void apply_overrides(Document& document, const std::vector<std::string>& overrid
       }
     }
     const Document before = document;
-    if (!put(document.root, path, parse_value(one.substr(equals + 1), at_value))) {
+    if (!put(document.root, path, parse_value(without_blanks(one.substr(equals + 1)), at_value))) {
       out.error({source_name, line, 1, static_cast<int>(equals)},
                 fmt::format("'{}' leads through a key that is no table", one.substr(0, equals)));
       continue;

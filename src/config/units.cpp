@@ -157,21 +157,47 @@ std::string nearest_unit(std::string_view unit) {
   return "units are written like mm, us, km/s, g/cm3, GPa, J/(kg K), deg";
 }
 
-double convert(double value, ut_unit* from, ut_unit* to) {
+/// SI = zero + factor * value.
+struct Scale {
+  double zero, factor;
+};
+
+Scale scale(ut_unit* from, ut_unit* to) {
   const std::unique_ptr<cv_converter, decltype(&cv_free)> c(ut_get_converter(from, to), &cv_free);
   require(c != nullptr, "units of one dimension convert");
-  const double zero = cv_convert_double(c.get(), 0), factor = cv_convert_double(c.get(), 1) - zero;
-  // Dividing by 1000 rounds once, multiplying by 0.001 twice: "0.05 mm" shall be the double nearest 5e-5.
-  const double inverse = std::round(1 / factor);
-  if (zero == 0 && inverse > 1 && std::abs(inverse * factor - 1) < 4e-16) return value / inverse;
-  return cv_convert_double(c.get(), value);
+  const double zero = cv_convert_double(c.get(), 0);
+  return {zero, cv_convert_double(c.get(), 1) - zero};
+}
+
+double convert(double value, ut_unit* from, ut_unit* to) {
+  const Scale s = scale(from, to);
+  return s.zero + s.factor * value;
 }
 
 struct Split {
   bool number = false;
   double value = 0;
+  std::string_view digits;  // the number as written
   std::string_view rest;
 };
+
+/// Converts a number as written. Where the units differ by a power of ten only the exponent is moved, so that
+/// "0.05 mm", "50 um" and 5e-5 are the same double.
+double convert_text(std::string_view digits, double value, ut_unit* from, ut_unit* to) {
+  const Scale s = scale(from, to);
+  const int power = static_cast<int>(std::lround(std::log10(s.factor)));
+  if (s.zero != 0 || std::abs(s.factor / std::pow(10.0, power) - 1) > 1e-15) return s.zero + s.factor * value;
+  const std::size_t e = digits.find_first_of("eE");
+  int exponent = 0;
+  if (e != std::string_view::npos) {
+    const std::string_view after = digits.substr(e + (digits.substr(e + 1).starts_with('+') ? 2 : 1));
+    std::from_chars(after.data(), after.data() + after.size(), exponent);
+  }
+  const std::string moved = fmt::format("{}e{}", digits.substr(0, e), exponent + power);
+  double result = 0;
+  const auto [end, error] = std::from_chars(moved.data(), moved.data() + moved.size(), result);
+  return error == std::errc() ? result : s.factor * value;
+}
 
 Split split_number(std::string_view text) {
   Split s;
@@ -182,6 +208,7 @@ Split split_number(std::string_view text) {
   const auto [end, error] = std::from_chars(t.data(), t.data() + t.size(), s.value);
   if (error != std::errc() || !std::isfinite(s.value)) return s;
   s.number = true;
+  s.digits = std::string_view(t.data(), static_cast<std::size_t>(end - t.data()));
   s.rest = trimmed(t.substr(static_cast<std::size_t>(end - t.data())));
   return s;
 }
@@ -201,10 +228,8 @@ std::string example(std::string_view si) {
 }
 
 /// Number and unit of a text; the SI value is left to the caller.
-Quantity split_quantity(std::string_view text, std::string_view si, std::string_view name) {
+Quantity split_quantity(std::string_view text, const Split& s, std::string_view si, std::string_view name) {
   Quantity q;
-  const std::string_view t = trimmed(text);
-  const Split s = split_number(t);
   if (!s.number) {
     q.problem = fmt::format("'{}' is no quantity: '{}' needs a number and a unit", text, name);
     q.help = "write " + example(si);
@@ -223,7 +248,8 @@ Quantity split_quantity(std::string_view text, std::string_view si, std::string_
 
 Quantity parse_quantity(std::string_view text, std::string_view si_unit, std::string_view name) {
   const std::string_view si = si_unit.empty() ? "1" : si_unit;
-  Quantity q = split_quantity(text, si, name);
+  const Split split = split_number(trimmed(text));
+  Quantity q = split_quantity(text, split, si, name);
   if (!q.ok()) return q;
   if (q.unit.empty() && si != "1") {
     q.problem = fmt::format("'{}' has no unit, but '{}' needs one of [{}]", text, name, dimension_name(si));
@@ -243,12 +269,13 @@ Quantity parse_quantity(std::string_view text, std::string_view si_unit, std::st
     q.help = "write " + example(si);
     return q;
   }
-  q.value = convert(q.written, unit.get(), target.get());
+  q.value = convert_text(split.digits, q.written, unit.get(), target.get());
   return q;
 }
 
 Quantity parse_any_quantity(std::string_view text, std::string_view name) {
-  Quantity q = split_quantity(text, "m/s", name);
+  const Split split = split_number(trimmed(text));
+  Quantity q = split_quantity(text, split, "m/s", name);
   if (!q.ok() || q.unit.empty()) {
     q.value = q.written;
     return q;
@@ -261,7 +288,7 @@ Quantity parse_any_quantity(std::string_view text, std::string_view name) {
   } else if (!d) {
     q.problem = fmt::format("'{}' has dimension [{}], which no result has", text, base_units(unit.get()));
   } else {
-    q.value = convert(q.written, unit.get(), parse_unit(d->si).get());
+    q.value = convert_text(split.digits, q.written, unit.get(), parse_unit(d->si).get());
   }
   return q;
 }
@@ -286,7 +313,7 @@ Pair known_unit(std::string_view unit) {
 
 double unit_size(std::string_view unit) {
   const Pair p = known_unit(unit);
-  return convert(1, p.unit.get(), p.si.get()) - convert(0, p.unit.get(), p.si.get());
+  return scale(p.unit.get(), p.si.get()).factor;
 }
 
 double in_unit(double si, std::string_view unit) {

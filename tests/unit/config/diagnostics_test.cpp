@@ -1,0 +1,56 @@
+#include "config/diagnostics.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+
+namespace recoil::config {
+namespace {
+
+TEST(Diagnostics, ShowsTheLineACaretAndTheCure) {
+  Diagnostics d;
+  d.source("flyer.toml", "[body.flyer]\nvelocty = { z = \"450 m/s\" }\n");
+  d.error({"flyer.toml", 2, 1, 7}, "unknown key 'velocty' in [body.flyer]", "did you mean 'velocity'?");
+  EXPECT_EQ(d.text(),
+            "error: unknown key 'velocty' in [body.flyer]\n"
+            "  --> flyer.toml:2:1\n"
+            "   | velocty = { z = \"450 m/s\" }\n"
+            "   | ^^^^^^^\n"
+            "   = help: did you mean 'velocity'?\n");
+}
+
+TEST(Diagnostics, CountsCharactersNotBytesAndKeepsTabs) {
+  Diagnostics d;
+  d.source("a", "\té = 5\r\n");
+  d.error({"a", 1, 6, 1}, "m");
+  EXPECT_EQ(d.text(), "error: m\n  --> a:1:6\n   | \té = 5\n   | \t    ^\n");
+}
+
+TEST(Diagnostics, PutsMessagesInTheOrderOfTheText) {
+  Diagnostics d;
+  d.error({"a", 9, 1, 1}, "late");
+  d.error({"a", 2, 5, 1}, "early");
+  EXPECT_LT(d.text().find("early"), d.text().find("late"));
+}
+
+TEST(Diagnostics, ReachesNoFurtherThanTheText) {
+  Diagnostics d;
+  d.source("a", "x");
+  d.error({"a", 7, 3, 2}, "beyond the end");
+  d.error({"a", 1, 40, 500}, "beyond the line");
+  d.error({"", 0, 0, 1}, "nowhere");
+  EXPECT_EQ(d.error_count(), 3);
+  EXPECT_NE(d.text().find("error: nowhere\n"), std::string::npos);
+}
+
+TEST(Diagnostics, WarningsAreNoErrors) {
+  Diagnostics d;
+  d.warning({"a", 1, 1, 1}, "unlikely");
+  EXPECT_FALSE(d.has_errors());
+  EXPECT_NO_THROW(d.throw_if_errors());
+  d.error({"a", 1, 1, 1}, "wrong");
+  EXPECT_THROW(d.throw_if_errors(), InputError);
+}
+
+}  // namespace
+}  // namespace recoil::config
