@@ -1,0 +1,202 @@
+#include <gtest/gtest.h>
+
+#include "config/overrides.hpp"
+#include "config/read_case.hpp"
+
+namespace recoil::config {
+namespace {
+
+/// A right case, to be spoiled one line at a time.
+const std::vector<std::string> lines{
+    "format = 1",                                                                      // 1
+    "[domain]",                                                                        // 2
+    "geometry = \"planar\"",                                                           // 3
+    "x = [\"0 mm\", \"80 mm\"]",                                                       // 4
+    "y = [\"-8 mm\", \"22 mm\"]",                                                      // 5
+    "[mesh]",                                                                          // 6
+    "finest = \"0.5 mm\"",                                                             // 7
+    "[time]",                                                                          // 8
+    "end = \"10 us\"",                                                                 // 9
+    "[body.flyer]",                                                                    // 10
+    "material = \"steel/hzb\"",                                                        // 11
+    "velocity = { x = \"5 km/s\" }",                                                   // 12
+    "shape = { kind = \"box\", x = [\"0 mm\", \"2 mm\"], y = [\"0 mm\", \"9 mm\"] }",  // 13
+    "[body.target]",                                                                   // 14
+    "rigid = true",                                                                    // 15
+    "shape = { kind = \"disc\", radius = \"5 mm\", centre = { x = \"20 mm\" } }",      // 16
+    "[gauge.rear]",                                                                    // 17
+    "kind = \"point\"",                                                                // 18
+    "body = \"target\"",                                                               // 19
+    "at = { x = \"1 mm\" }",                                                           // 20
+    "[expect]",                                                                        // 21
+    "\"contact.flyer-target.opens\" = { value = \"0.7 us\", within = \"3 %\" }",       // 22
+};
+
+std::string with(int line, const std::string& replacement) {
+  std::string text;
+  for (int n = 1; n <= static_cast<int>(lines.size()); ++n)
+    text += (n == line ? replacement : lines[static_cast<std::size_t>(n - 1)]) + '\n';
+  return text;
+}
+
+struct Mistake {
+  int line;          // that is replaced
+  const char* text;  // by this
+  int at_line, at_column;
+  const char* message;  // part of it
+  const char* help;     // part of it
+};
+
+void PrintTo(const Mistake& m, std::ostream* out) { *out << m.text; }
+
+class Mistakes : public testing::TestWithParam<Mistake> {};
+
+TEST_P(Mistakes, GetsAMessageAPlaceAndACure) {
+  const Mistake& m = GetParam();
+  Diagnostics out;
+  const Document doc = parse_document(with(m.line, m.text), "case.toml", out);
+  read_case(doc, out);
+  ASSERT_EQ(out.error_count(), 1) << out.text();
+  const Diagnostic& d = out.list().front();
+  EXPECT_NE(d.message.find(m.message), std::string::npos) << out.text();
+  EXPECT_NE(d.help.find(m.help), std::string::npos) << out.text();
+  EXPECT_EQ(d.place.line, m.at_line) << out.text();
+  EXPECT_EQ(d.place.column, m.at_column) << out.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Case, Mistakes,
+    testing::Values(
+        Mistake{12, "velocty = { x = \"5 km/s\" }", 12, 1, "unknown key 'velocty' in [body.flyer]",
+                "did you mean 'velocity'?"},
+        Mistake{7, "finest = \"2 us\"", 7, 10, "'2 us' has dimension [time], but 'finest' needs [length]",
+                "mm"},
+        Mistake{12, "velocity = { x = 5 km/s }", 12, 18, "'5 km/s' needs quotes", "write \"5 km/s\""},
+        Mistake{7, "finest = 0.5", 7, 10, "'finest' is a bare number", "write finest = \"0.5 mm\""},
+        Mistake{1, "format = 2", 1, 10, "this case has format 2", "newer"},
+        Mistake{3, "geometry = \"plane\"", 3, 12, "'plane' is no value of 'geometry'", "planar"},
+        Mistake{3, "geometry = planar", 3, 12, "'planar' needs quotes", "write \"planar\""},
+        Mistake{4, "x = [\"80 mm\", \"0 mm\"]", 4, 5, "low end first", "swap"},
+        Mistake{5, "z = [\"0 mm\", \"1 mm\"]\ny = [\"-8 mm\", \"22 mm\"]", 5, 1,
+                "'z' in [domain] is no coordinate", "x, y"},
+        Mistake{4, "", 2, 2, "'x' is missing in [domain]", "x = [\"0 mm\""},
+        Mistake{4, "boundary = { x = [\"periodic\", \"outflow\"] }\nx = [\"0 mm\", \"80 mm\"]", 4, 18,
+                "only one end", "both"},
+        Mistake{4, "boundary = { x = \"wall\" }\nx = [\"0 mm\", \"80 mm\"]", 4, 18, "'wall' is no value",
+                "symmetry"},
+        Mistake{7, "finest = \"20 mm\"", 7, 10, "1.5 cells wide along y", "0.75 mm"},
+        Mistake{7, "finest = \"0.5 mn\"", 7, 10, "unknown unit 'mn'", "did you mean 'mm'?"},
+        Mistake{7, "finest = \"-0.5 mm\"", 7, 10, "'finest' must be more than 0 mm", ""},
+        Mistake{7, "", 6, 2, "'finest' is missing in [mesh]", "0.05 mm"},
+        Mistake{9, "end = \"0 us\"", 9, 7, "'end' must be more than 0 us", ""},
+        Mistake{9, "end = \"10 us\"\ncfl = 1.5", 10, 7, "'cfl' must be at most 1", ""},
+        Mistake{9, "end = \"10 us\"\n[method]\nscheme = \"seed\"", 11, 10, "not available in this version",
+                "conservative"},
+        Mistake{9, "end = \"10 us\"\n[contact]\ndefault = \"bonded\"", 11, 11,
+                "not available in this version", "separable"},
+        Mistake{9, "end = \"10 us\"\n[metod]", 10, 2, "unknown key 'metod'", "did you mean 'method'?"},
+        Mistake{9, "end = \"10 us\"\nend = \"11 us\"", 10, 7, "given twice", ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, Mistakes,
+    testing::Values(
+        Mistake{11, "", 10, 7, "'material' is missing in [body.flyer]", "rigid = true"},
+        Mistake{15, "rigid = true\nmaterial = \"x\"", 16, 1, "rigid body 'target' has a material", ""},
+        Mistake{12, "velocity = { z = \"5 km/s\" }", 12, 14, "'z' is no component of 'velocity'", "x, y"},
+        Mistake{12, "velocity = { x = 5 }", 12, 18, "'x' is a bare number", "\"5 m/s\""},
+        Mistake{12, "spin = \"1 rad/s\"", 12, 1, "'spin' needs 'spin-centre'", ""},
+        Mistake{12, "spin-centre = { x = \"1 mm\" }", 12, 1, "without 'spin'", ""},
+        Mistake{16, "", 14, 7, "'shape' is missing in [body.target]", "kind"},
+        Mistake{16, "shape = { radius = \"5 mm\" }", 16, 9, "needs its kind", "box"},
+        Mistake{16, "shape = { kind = \"disk\", radius = \"5 mm\" }", 16, 18, "'disk' is no value of 'kind'",
+                "did you mean 'disc'?"},
+        Mistake{16, "shape = { kind = \"sphere\", radius = \"5 mm\" }", 16, 18,
+                "does not exist in geometry \"planar\"", "3d"},
+        Mistake{16, "shape = { kind = \"disc\", radus = \"5 mm\", radius = \"5 mm\" }", 16, 26,
+                "unknown key 'radus'", "radius"},
+        Mistake{16, "shape = { kind = \"box\", x = [\"0 mm\", \"1 mm\"] }", 16, 1, "'y' is missing", "y = "},
+        Mistake{16, "shape = { kind = \"half-space\", point = { x = \"0 m\" }, normal = { x = 0 } }", 16, 55,
+                "no direction", ""},
+        Mistake{16, "shape = { kind = \"polygon\", vertices = [[\"0 m\", \"0 m\"]] }", 16, 40,
+                "at least three", ""},
+        Mistake{16, "shape = { kind = \"difference\", parts = [] }", 16, 40, "at least 2 shapes", ""},
+        Mistake{14,
+                "[body.\"a b\"]\nrigid = true\nshape = { kind = \"disc\", radius = \"5 mm\" }\n[body.target]",
+                14, 7, "cannot be the name of a body", "letters"},
+        Mistake{14,
+                "[body.total]\nrigid = true\nshape = { kind = \"disc\", radius = \"5 mm\" }\n[body.target]",
+                14, 7, "'total' cannot be", ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Gauges, Mistakes,
+    testing::Values(
+        Mistake{19, "body = \"traget\"", 19, 8, "there is no body 'traget'", "did you mean 'target'?"},
+        Mistake{19, "", 17, 8, "'body' is missing in [gauge.rear]", "body = \"target\""},
+        Mistake{20, "at = { x = \"90 mm\" }", 20, 6, "lies outside the domain: x = 90 mm", ""},
+        Mistake{18, "kind = \"pont\"", 18, 8, "'pont' is no value of 'kind'", "did you mean 'point'?"},
+        Mistake{18, "kind = \"body\"", 20, 1, "'at' means nothing", ""},
+        Mistake{21, "[gauge.c]\nkind = \"contact\"\npair = \"flyer-flyer\"\n[expect]", 23, 8,
+                "is no pair of two bodies", "flyer-target"},
+        Mistake{22, "\"contact.flyer-traget.opens\" = true", 22, 1, "is no pair of two bodies",
+                "did you mean 'flyer-target'?"},
+        Mistake{22, "\"gauge.raer.velocity@1us\" = true", 22, 1, "there is no gauge 'raer'",
+                "did you mean 'rear'?"},
+        Mistake{22, "\"body.flyr.velocity\" = true", 22, 1, "there is no body 'flyr'",
+                "did you mean 'flyer'?"},
+        Mistake{22, "\"a\" = { value = \"1 us\" }", 22, 1, "'within' is missing", "3 %"},
+        Mistake{22, "\"a\" = { value = \"1 us\", within = \"1 mm\" }", 22, 34,
+                "'within' has dimension [length]", "percentage"},
+        Mistake{22, "\"a\" = { value = 0, within = \"1 %\" }", 22, 29, "a percentage of the value 0", ""},
+        Mistake{22, "\"a\" = { at-most = 1, value = 1 }", 22, 1, "needs one of", ""},
+        Mistake{22, "\"a\" = { valu = 1, at-most = 1 }", 22, 9, "unknown key 'valu'",
+                "did you mean 'value'?"},
+        Mistake{22, "\"a\" = 5", 22, 7, "needs a table, true or false", "within"}));
+
+TEST(MistakesTogether, AreAllReportedInOnePass) {
+  std::string text = with(7, "finest = 5");
+  text.replace(text.find("\"10 us\""), 7, "10 us");
+  text.replace(text.find("body = \"target\""), 15, "bdy = \"target\" ");
+  Diagnostics out;
+  const Document doc = parse_document(text, "case.toml", out);
+  read_case(doc, out);
+  EXPECT_EQ(out.error_count(), 4) << out.text();
+  EXPECT_NE(out.text().find("  --> case.toml:9:7\n   | end = 10 us\n   |       ^^^^^\n"), std::string::npos)
+      << out.text();
+}
+
+TEST(MistakesTogether, PairsThatCanBeReadTwiceAreRefused) {
+  std::string text = with(14, "[body.target]");
+  const std::string rigid = "rigid = true\nshape = { kind = \"disc\", radius = \"1 mm\" }\n";
+  text += "[body.a]\n" + rigid + "[body.b-c]\n" + rigid + "[body.a-b]\n" + rigid + "[body.c]\n" + rigid +
+          "[gauge.g]\nkind = \"contact\"\npair = \"a-b-c\"\n";
+  Diagnostics out;
+  const Document doc = parse_document(text, "case.toml", out);
+  read_case(doc, out);
+  ASSERT_EQ(out.error_count(), 1) << out.text();
+  EXPECT_NE(out.text().find("more than one pair"), std::string::npos);
+}
+
+TEST(MistakesTogether, OfTheCommandLine) {
+  Diagnostics out;
+  Document doc = parse_document(with(0, ""), "case.toml", out);
+  apply_overrides(
+      doc, {"mesh.finset=1mm", "body.flyr.material=x", "nonsense", "time.end=5", "mesh.finest.x=1"}, out);
+  read_case(doc, out);
+  const std::string text = out.text();
+  EXPECT_EQ(out.error_count(), 5) << text;
+  EXPECT_NE(
+      text.find(
+          "unknown key 'finset' in [mesh]\n  --> --set:1:6\n   | mesh.finset=1mm\n   |      ^^^^^^\n   = "
+          "help: did you mean 'finest'?"),
+      std::string::npos)
+      << text;
+  EXPECT_NE(text.find("the case has no body 'flyr'\n  --> --set:2:6"), std::string::npos) << text;
+  EXPECT_NE(text.find("'nonsense' sets nothing"), std::string::npos) << text;
+  EXPECT_NE(text.find("'end' is a bare number, but needs a unit of [time]\n  --> --set:4:10"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("leads through a key that is no table"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace recoil::config
