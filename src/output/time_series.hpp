@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace recoil {
+
+/// One column of a record over time.
+struct SeriesColumn {
+  std::string name;    ///< "velocity", "velocity.x"
+  std::string unit;    ///< in which it is written: "m/s", "GPa"
+  double to_unit = 1;  ///< times the SI value gives the number in that unit
+};
+
+/// A record over time, in SI. NaN: nothing was there at that time.
+struct TimeSeries {
+  std::string name;
+  std::vector<SeriesColumn> columns;
+  std::vector<double> time;                 ///< s, rising
+  std::vector<std::vector<double>> values;  ///< [column][record]
+
+  /// Position of a column, or columns.size().
+  std::size_t find(std::string_view column) const;
+};
+
+/// A curve: the points of one column that have a value.
+struct Curve {
+  std::vector<double> t, y;
+};
+Curve curve_of(const TimeSeries& series, std::size_t column);
+
+/// Linear between the points; NaN outside of them.
+double value_at(const Curve& curve, double t);
+/// Mean over [from, to] of the curve as straight lines between its points; NaN where it does not reach that
+/// far.
+double mean_over(const Curve& curve, double from, double to);
+/// Root of the mean squared deviation from that mean.
+double rms_over(const Curve& curve, double from, double to);
+/// Mean over [from, to] of |curve - reference|.
+double distance_over(const Curve& curve, const Curve& reference, double from, double to);
+
+/// The value of largest magnitude and when it was first there. NaN for an empty curve.
+struct Peak {
+  double value = std::numeric_limits<double>::quiet_NaN(), time = value;
+};
+Peak peak_of(const Curve& curve);
+
+/// First time at which the curve reaches `level`, coming from the side of its first value; NaN if never.
+double arrival_at(const Curve& curve, double level);
+/// First time at which the curve has made half of its largest change from the first value; NaN if it never
+/// changes.
+double arrival_of(const Curve& curve);
+
+}  // namespace recoil
