@@ -54,7 +54,7 @@ class EventWatch {
 
   /// In order of time.
   const std::vector<Event>& events() const;
-  const std::vector<PairStory>& stories() const;
+  std::vector<PairStory> stories() const;
 
  private:
   struct Parts;
