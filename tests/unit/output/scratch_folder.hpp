@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -14,8 +15,9 @@ class ScratchFolder {
  public:
   ScratchFolder() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() / (std::string("recoil_") + test->test_suite_name() + "_" +
-                                                      test->name() + "_" + std::to_string(getpid()));
+    std::string name = std::string("recoil_") + test->test_suite_name() + "_" + test->name();
+    std::ranges::replace(name, '/', '_');  // as in the names of parametrised tests
+    path_ = std::filesystem::temp_directory_path() / (name + "_" + std::to_string(getpid()));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
