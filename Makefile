@@ -20,7 +20,7 @@ help:
 	@echo "make demo     install what is missing, build for this machine, run the flyer plate, draw its gauge"
 	@echo "make test     build a portable binary, run the quick tests, check the layers of the source"
 	@echo "make bench    build and run the timed kernels; results in build/bench.json"
-	@echo "make docs     write the reference pages from the program's own registry of keys"
+	@echo "make docs     write docs/reference/ from the program's own registry of keys"
 	@echo "make format   bring the C++ files into the form of .clang-format"
 	@echo "make clean    remove build/ (runs/ stays)"
 
@@ -39,7 +39,7 @@ demo: build
 	$(STEP) "Run an aluminium flyer against a copper target at 450 m/s" \
 	  $(RELEASE)/recoil run cases/flyer_al_cu/case.toml -o $(DEMO) --force
 	$(STEP) "Draw the velocity of the target's rear surface" \
-	  $(RELEASE)/recoil plot $(DEMO) rear $(DEMO)/rear.png
+	  $(RELEASE)/recoil plot $(DEMO) gauge.rear $(DEMO)/rear.png
 	@echo
 	@echo "results   $(DEMO)/"
 	@echo "picture   $(DEMO)/rear.png"
@@ -62,6 +62,13 @@ bench: packages-test
 	$(STEP) "Configure $(RELEASE)" tools/configure $(RELEASE) -DRECOIL_NATIVE=ON -DRECOIL_BENCH=ON
 	$(STEP) "Build the timed kernels" cmake --build $(RELEASE) -j $(JOBS) --target recoil_bench
 	$(STEP) "Run the timed kernels" $(RELEASE)/recoil_bench --benchmark_out=build/bench.json
+
+docs: build
+	@mkdir -p docs/reference
+	$(STEP) "Reference of the case file" \
+	  sh -c '$(RELEASE)/recoil schema --markdown > docs/reference/case.md'
+	$(STEP) "Schema of the case file, for editors" \
+	  sh -c '$(RELEASE)/recoil schema > docs/reference/recoil-case-1.schema.json'
 
 format:
 	$(STEP) "clang-format" tools/check_format --fix
