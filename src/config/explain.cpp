@@ -101,9 +101,15 @@ std::string without_brackets(std::string key) {
   return key;
 }
 
+std::vector<Section> with_more(const std::vector<Section>& more) {
+  std::vector<Section> all = case_sections();
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
 }  // namespace
 
-std::string explain(const std::string& key) {
+std::string explain(const std::string& key, const std::vector<Section>& more) {
   const std::string asked = without_brackets(key);
   const std::size_t dot = asked.rfind('.');
   const std::string last = dot == std::string::npos ? asked : asked.substr(dot + 1);
@@ -111,7 +117,7 @@ std::string explain(const std::string& key) {
   std::vector<std::string> names;
   std::set<std::string> shown;
   const auto add = [&](const std::string& text) { out += (out.empty() ? "" : "\n") + text; };
-  for (const Section& section : case_sections()) {
+  for (const Section& section : with_more(more)) {
     if (!section.name.empty()) names.push_back(section.name);
     if (!asked.empty() && fits(section.name, asked)) add(explain_section(section));
     for (const Key& k : section.keys) {
@@ -120,7 +126,8 @@ std::string explain(const std::string& key) {
       const bool named = dot == std::string::npos || fits(section.name, asked.substr(0, dot));
       // Keys at the top that only open a section are explained by it.
       const bool opens = section.name.empty() && k.type == Type::table && k.name != "material";
-      const bool told = !shown.insert(section.name + '.' + k.name + ' ' + k.doc).second;  // the same for each kind
+      const bool told =
+          !shown.insert(section.name + '.' + k.name + ' ' + k.doc).second;  // the same for each kind
       if (k.name == last && named && !opens && !told) add(explain_key(section, k));
     }
   }
@@ -133,14 +140,14 @@ std::string explain(const std::string& key) {
       fmt::format("error: there is no key '{}'\n{}", key, help.empty() ? "" : "   = help: " + help + '\n'));
 }
 
-std::string reference_page() {
+std::string reference_page(const std::vector<Section>& more) {
   std::string out =
       "# The case file\n\n"
       "A case is a TOML file. Every quantity is a text with its unit (`\"0.05 mm\"`). `*` stands for a name "
       "of your "
       "choice.\nThis page is written by `recoil schema --markdown` from the same list that the program reads "
       "with.\n";
-  for (const Section& section : case_sections()) {
+  for (const Section& section : with_more(more)) {
     out += fmt::format(
         "\n## {}\n\n{}\n\n| key | type | range | default | meaning | example |\n|---|---|---|---|---|---|\n",
         heading(section), section.doc);

@@ -100,11 +100,12 @@ Json& table_schema(Json& root, const std::string& section) {
   return *at;
 }
 
-void add_section(Json& root, const Section& section) {
+void add_section(Json& root, const Section& section, bool may_demand = true) {
   Json& table = table_schema(root, section.name);
   if (!table.contains("description")) table["description"] = section.doc;
   for (const Key& key : section.keys) {
     if (!table["properties"].contains(key.name)) table["properties"][key.name] = key_schema(key);
+    if (!may_demand) continue;
     // Of tables with kinds only `kind` is needed in all of them.
     if (!key.required || (!section.kind.empty() && key.name != "kind")) continue;
     Json& required = table["required"];
@@ -114,13 +115,14 @@ void add_section(Json& root, const Section& section) {
 
 }  // namespace
 
-std::string json_schema() {
+std::string json_schema(const std::vector<Section>& more) {
   Json root = object();
   root["$schema"] = "http://json-schema.org/draft-07/schema#";
   root["title"] = "Recoil case file, format 1";
   for (const Section& section : case_sections()) add_section(root, section);
   root["properties"]["expect"]["additionalProperties"]["type"] = {"object", "boolean"};
   root["properties"]["material"]["additionalProperties"] = {{"type", "object"}};
+  for (const Section& section : more) add_section(root, section, false);
   return root.dump(2) + '\n';
 }
 

@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/case_picture.hpp"
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+#include "app/estimate.hpp"
+#include "app/load_case.hpp"
+#include "app/prediction.hpp"
+#include "core/error.hpp"
+
+namespace recoil::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What `check` finds out about one case.
+struct Report {
+  std::string file;
+  LoadedCase loaded;
+  std::vector<PlatePrediction> predictions;
+  Estimate cost;
+  bool good() const { return !loaded.found.has_errors(); }
+};
+
+/// The largest |u| + c_L per step, at the start and behind the predicted shocks.
+double fastest_of(const Report& r) {
+  double fastest = fastest_at_start(r.loaded.contents, r.loaded.materials);
+  for (const PlatePrediction& p : r.predictions)
+    for (const ShockState* s : {&p.flyer_shock, &p.target_shock})
+      fastest = std::max(fastest, std::abs(p.velocity) + s->release_speed);
+  return fastest;
+}
+
+Report look_at(const std::string& file, const std::vector<std::string>& overrides) {
+  Report r;
+  r.file = file;
+  r.loaded = load_case(file, overrides);
+  if (r.good()) check_logic(r.loaded);
+  if (!r.good()) return r;
+  for (const PlatePair& pair : find_plate_pairs(r.loaded.contents)) {
+    try {
+      r.predictions.push_back(predict(pair, r.loaded.contents, r.loaded.materials));
+    } catch (const PhysicsError& e) {
+      r.loaded.found.warning(r.loaded.contents.bodies[static_cast<std::size_t>(pair.flyer)].place,
+                             fmt::format("no impact state can be predicted: {}", e.what()));
+    }
+  }
+  r.cost = estimate(r.loaded.contents, fastest_of(r));
+  return r;
+}
+
+std::string duration(double seconds) {
+  if (seconds < 100) return fmt::format("{:.2g} s", seconds);
+  return seconds < 6000 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+}
+
+void print_report(const Report& r) {
+  const config::Case& c = r.loaded.contents;
+  if (!r.loaded.found.list().empty()) fmt::print(stderr, "{}", r.loaded.found.text());
+  fmt::print("{}: {}\n", r.file,
+             r.good() ? c.title.empty() ? "no mistakes found" : c.title : "not fit to run");
+  if (!r.good()) return;
+  if (!r.predictions.empty()) fmt::print("predicted (one-dimensional waves, no rate dependence)\n");
+  for (const PlatePrediction& p : r.predictions) fmt::print("{}", describe(p, c));
+  fmt::print(
+      "cost\n  {:.3g} cells, {:.3g} of them with matter; {:.3g} steps of about {:.3g} ns\n"
+      "  memory {:.3g} MB, time about {} with one thread\n",
+      r.cost.cells, r.cost.material_cells, r.cost.steps, r.cost.step * 1e9, r.cost.memory * 1e-6,
+      duration(r.cost.seconds));
+}
+
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(); }
+
+Json shock_json(const ShockState& s) {
+  return {{"velocity", s.velocity},
+          {"stress", s.stress},
+          {"pressure", s.pressure},
+          {"density", s.density},
+          {"temperature", s.temperature},
+          {"shock_speed", s.shock_speed},
+          {"precursor_speed", s.has_precursor ? Json(s.precursor_speed) : Json()},
+          {"elastic_limit", s.has_precursor ? Json(s.precursor_stress) : Json()}};
+}
+
+Json prediction_json(const PlatePrediction& p, const config::Case& c) {
+  constexpr const char* partings[] = {"flyer-release", "target-release", "neutral", "unknown"};
+  Json j{{"flyer", c.bodies[static_cast<std::size_t>(p.pair.flyer)].name},
+         {"target", c.bodies[static_cast<std::size_t>(p.pair.target)].name},
+         {"contact", p.contact},
+         {"closing", p.pair.closing},
+         {"interface_velocity", p.velocity},
+         {"interface_stress", p.stress},
+         {"opens", number(p.opens)},
+         {"opens_by", partings[static_cast<int>(p.parting)]}};
+  if (!p.flyer_rigid) j["flyer_shock"] = shock_json(p.flyer_shock);
+  if (!p.target_rigid) j["target_shock"] = shock_json(p.target_shock);
+  if (p.shock_arrival > 0)
+    j["rear"] = {{"precursor_arrival", p.precursor_arrival ? Json(*p.precursor_arrival) : Json()},
+                 {"precursor_velocity", p.precursor_surface_velocity},
+                 {"shock_arrival", p.shock_arrival},
+                 {"plateau_velocity", p.plateau_surface_velocity},
+                 {"release_arrival", number(p.release_arrival)},
+                 {"overtaking_depth", number(p.overtaking_depth)}};
+  return j;
+}
+
+Json report_json(const Report& r) {
+  Json j{{"case", r.file}, {"good", r.good()}, {"found", Json::array()}};
+  for (const config::Diagnostic& d : r.loaded.found.list())
+    j["found"].push_back(
+        {{"severity", d.severity == config::Diagnostic::Severity::error ? "error" : "warning"},
+         {"file", d.place.file},
+         {"line", d.place.line},
+         {"column", d.place.column},
+         {"message", d.message},
+         {"help", d.help}});
+  if (!r.good()) return j;
+  j["predicted"] = Json::array();
+  for (const PlatePrediction& p : r.predictions)
+    j["predicted"].push_back(prediction_json(p, r.loaded.contents));
+  j["cost"] = {{"cells", r.cost.cells},   {"material_cells", r.cost.material_cells},
+               {"step", r.cost.step},     {"steps", r.cost.steps},
+               {"memory", r.cost.memory}, {"seconds", r.cost.seconds}};
+  return j;
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+  if (!options.png.empty() && options.files.size() > 1) throw InputError("--png draws one case at a time");
+  int code = exit_finished;
+  Json all = Json::array();
+  for (const std::string& file : options.files) {
+    const Report r = look_at(file, options.overrides);
+    if (options.json)
+      all.push_back(report_json(r));
+    else
+      print_report(r);
+    if (!r.good()) code = exit_bad_input;
+    if (!options.png.empty() && r.good()) draw_case(r.loaded.contents, options.png);
+  }
+  if (options.json) fmt::print("{}\n", all.dump(2));
+  return code;
+}
+
+}  // namespace recoil::app

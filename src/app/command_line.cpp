@@ -1,0 +1,235 @@
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <new>
+
+#include "app/commands.hpp"
+#include "app/launch.hpp"
+#include "core/build_info.hpp"
+#include "core/closest.hpp"
+#include "core/error.hpp"
+
+namespace recoil::app {
+
+namespace {
+
+std::string version_text() {
+  using namespace build_info;
+  return fmt::format("recoil {} ({}, {}, {}{})", version, describe, compiler, build_type,
+                     native ? ", for this machine's processor" : "");
+}
+
+/// The commands, their options, and which one is to be run.
+struct Commands {
+  CLI::App top{"Impact of solids: bodies collide, slide and separate.", "recoil"};
+  RunOptions run;
+  CheckOptions check;
+  PlotOptions plot;
+  StudyOptions study;
+  std::string material, key;
+  bool markdown = false;
+  std::function<int()> chosen;
+
+  Commands() {
+    top.require_subcommand(1);
+    top.set_version_flag("--version", version_text(), "print the version and leave");
+    top.set_help_flag("-h,--help", "print this help and leave");
+    top.footer(
+        "Exit codes: 0 finished, 1 our bug, 2 bad input or usage, 3 numerical failure, 4 environment,\n"
+        "5 finished but an expectation failed. `recoil COMMAND --help` tells more.");
+    add_run();
+    add_check();
+    add_plot();
+    add_study();
+    add_rest();
+  }
+
+  CLI::App* command(CLI::App& parent, const char* name, const char* doc, std::function<int()> action) {
+    CLI::App* c = parent.add_subcommand(name, doc);
+    c->callback([this, action = std::move(action)] { chosen = action; });
+    return c;
+  }
+
+  static void add_set(CLI::App& c, std::vector<std::string>& overrides) {
+    c.add_option("--set", overrides, "PATH=VALUE: change one value of the case; may be repeated")
+        ->type_name("PATH=VALUE")
+        ->expected(1)
+        ->take_all();
+  }
+
+  void add_run() {
+    CLI::App* c = command(top, "run", "compute a case", [this] { return app::run(run); });
+    c->add_option("case", run.file, "case file, or its folder")->required()->type_name("CASE");
+    c->add_option("-o,--output", run.folder, "folder of the results; without it runs/NAME")->type_name("DIR");
+    c->add_option("-n,--ranks", run.ranks, "processes, started with mpirun")->check(CLI::PositiveNumber);
+    c->add_option("-j,--threads", run.threads,
+                  "threads of each process; without it 1 in 1d, else all processors")
+        ->check(CLI::PositiveNumber);
+    add_set(*c, run.overrides);
+    c->add_option("--end", run.end, "end at this time instead")->type_name("TIME");
+    c->add_flag("--force", run.force, "replace a finished run");
+    c->add_flag("-q,--quiet", run.quiet, "print errors and the verdict only");
+    c->add_flag("-v,--verbose", run.verbose, "print where the time went, too");
+    c->add_flag("--plain", run.plain, "lines instead of a live one");
+  }
+
+  void add_check() {
+    CLI::App* c = command(top, "check", "check cases and predict their answer, without a run",
+                          [this] { return app::check(check); });
+    c->add_option("case", check.files, "case files, or their folders")->required()->type_name("CASE...");
+    add_set(*c, check.overrides);
+    c->add_flag("--json", check.json, "print JSON");
+    c->add_option("--png", check.png, "draw the case at the start")->type_name("FILE");
+  }
+
+  void add_plot() {
+    CLI::App* c =
+        command(top, "plot", "draw a gauge or a field of a run", [this] { return app::plot(plot); });
+    c->add_option("dir", plot.folder, "folder of the run")->required()->type_name("DIR");
+    c->add_option("what", plot.what, "gauge.NAME [COLUMN], or a field such as pressure; FILE.png may follow")
+        ->required()
+        ->type_name("WHAT...");
+    c->add_option("-o,--output", plot.file, "picture; without it in DIR")->type_name("PNG");
+    c->add_option("--reference", plot.reference, "curve to compare a gauge with")->type_name("CSV:COLUMN");
+    c->add_option("--at", plot.at, "time of the field; without it the last")->type_name("TIME");
+    c->add_option("--slice", plot.slice, "plane of a 3d field")->type_name("z=PLACE");
+  }
+
+  void add_study() {
+    CLI::App* c = command(top, "study", "compute a case on several meshes and tabulate its expectations",
+                          [this] { return app::study(study); });
+    c->add_option("case", study.file, "case file, or its folder")->required()->type_name("CASE");
+    c->add_option("--mesh", study.sizes, "sizes of cells: 0.2mm,0.1mm,0.05mm")->required()->delimiter(',');
+    c->add_option("--offset", study.offsets, "shifts of the mesh in cells: 0,0.2,0.4")->delimiter(',');
+    add_set(*c, study.overrides);
+    c->add_option("-o,--output", study.folder, "folder of the results")->type_name("DIR");
+  }
+
+  void add_rest() {
+    CLI::App* m = top.add_subcommand("material", "the library of materials");
+    m->require_subcommand(1);
+    command(*m, "list", "names and titles", [] { return list_library(); });
+    CLI::App* show = command(*m, "show", "one material in full", [this] { return show_material(material); });
+    show->add_option("name", material, "e.g. copper/seed")->required()->type_name("NAME");
+    CLI::App* s = command(top, "schema", "print the JSON schema of a case file, for editors",
+                          [this] { return print_schema(markdown); });
+    s->add_flag("--markdown", markdown, "the reference page of the case file instead");
+    CLI::App* e =
+        command(top, "explain", "explain a key of a case file", [this] { return app::explain(key); });
+    e->add_option("key", key, "e.g. mesh.finest, mesh or finest")->required()->type_name("KEY");
+  }
+};
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* c : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(c->get_name());
+  return names;
+}
+
+std::vector<std::string> names_of_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* o : app.get_options()) {
+    for (const std::string& n : o->get_snames()) names.push_back("-" + n);
+    for (const std::string& n : o->get_lnames()) names.push_back("--" + n);
+  }
+  return names;
+}
+
+/// The first word that stands where a command should, but is none; else empty.
+std::string unknown_command(const CLI::App& top, int argc, const char* const* argv) {
+  const CLI::App* at = &top;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const std::vector<std::string> known = names_of_commands(*at);
+    if (known.empty()) return {};
+    if (word.starts_with("-")) continue;
+    if (std::find(known.begin(), known.end(), word) == known.end()) return word;
+    at = at->get_subcommand(word);
+  }
+  return {};
+}
+
+/// What the word that the command line failed at may have been meant as; empty: nothing comes near.
+std::string cure(const CLI::App& top, int argc, const char* const* argv) {
+  const CLI::App* at = &top;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word.starts_with("-")) {
+      const std::string name = word.substr(0, word.find('='));
+      const std::vector<std::string> known = names_of_options(*at);
+      if (name.size() > 2 && std::find(known.begin(), known.end(), name) == known.end())
+        if (const std::string near = did_you_mean(name, known); !near.empty()) return near;
+      continue;
+    }
+    const std::vector<std::string> known = names_of_commands(*at);
+    if (known.empty()) continue;
+    if (std::find(known.begin(), known.end(), word) != known.end()) {
+      at = at->get_subcommand(word);
+      continue;
+    }
+    const std::string near = did_you_mean(word, known);
+    return !near.empty() ? near : fmt::format("the commands are: {}", fmt::join(known, ", "));
+  }
+  return {};
+}
+
+int report_usage(const Commands& commands, const CLI::ParseError& e, int argc, const char* const* argv) {
+  std::string what = e.what();
+  if (const std::string word = unknown_command(commands.top, argc, argv); !word.empty())
+    what = fmt::format("there is no command '{}'", word);
+  std::replace(what.begin(), what.end(), '\n', ' ');
+  const std::string help = cure(commands.top, argc, argv);
+  fmt::print(stderr, "error: {}\n   = help: {}\n", what, help.empty() ? "see recoil --help" : help);
+  return exit_bad_input;
+}
+
+int fail(ExitCode code, const std::string& text) {
+  if (speaks()) {
+    std::fflush(stdout);
+    fmt::print(stderr, "{}{}{}", text.starts_with("error") ? "" : "error: ", text,
+               text.ends_with('\n') ? "" : "\n");
+  }
+  return code;
+}
+
+}  // namespace
+
+int report_errors(const std::function<int()>& body) {
+  try {
+    return body();
+  } catch (const InputError& e) {
+    return fail(exit_bad_input, e.what());
+  } catch (const PhysicsError& e) {
+    return fail(exit_numerical_failure, e.what());
+  } catch (const EnvironmentError& e) {
+    return fail(exit_environment, e.what());
+  } catch (const std::bad_alloc&) {
+    return fail(exit_environment,
+                "not enough memory\n   = help: larger cells (mesh.finest) need less; "
+                "`recoil check` estimates how much");
+  } catch (const std::exception& e) {
+    return fail(exit_our_bug, std::string(e.what()) +
+                                  "\n   = help: this is a mistake of recoil, not yours; please "
+                                  "report it with the case file");
+  }
+}
+
+int command_line(int argc, const char* const* argv) {
+  return report_errors([&]() -> int {
+    Commands commands;
+    try {
+      commands.top.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+      if (e.get_exit_code() == 0) return commands.top.exit(e);  // help, version
+      return report_usage(commands, e, argc, argv);
+    }
+    return commands.chosen();
+  });
+}
+
+}  // namespace recoil::app

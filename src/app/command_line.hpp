@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+
+namespace recoil::app {
+
+/// Exit codes that scripts may rely on.
+enum ExitCode : int {
+  exit_finished = 0,
+  exit_our_bug = 1,
+  exit_bad_input = 2,
+  exit_numerical_failure = 3,
+  exit_environment = 4,
+  exit_expectation_failed = 5
+};
+
+/// The whole program: reads the command line, does what it asks for, returns the exit code. Throws nothing.
+int command_line(int argc, const char* const* argv);
+
+/// Calls `body`; what it throws is printed and becomes its exit code. The one place where errors get theirs.
+int report_errors(const std::function<int()>& body);
+
+}  // namespace recoil::app

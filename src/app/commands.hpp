@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// What each command of the program was asked for, and the functions that do it. They return the exit code.
+namespace recoil::app {
+
+struct RunOptions {
+  std::string file;                    // case.toml, or a folder that holds one
+  std::string folder;                  // of the results; empty: runs/NAME
+  int ranks = 0;                       // start this many processes under mpirun; 0: as we were started
+  int threads = 0;                     // of each process; 0: 1 in 1d, else as many as there are processors
+  std::vector<std::string> overrides;  // PATH=VALUE
+  std::string end;                     // instead of time.end
+  bool force = false;                  // replace a finished run
+  bool quiet = false;
+  bool verbose = false;
+  bool plain = false;  // lines instead of a live one
+};
+int run(const RunOptions& options);
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::vector<std::string> overrides;
+  bool json = false;
+  std::string png;  // picture of the case
+};
+int check(const CheckOptions& options);
+
+struct PlotOptions {
+  std::string folder;
+  std::vector<std::string> what;  // gauge.NAME [COLUMN], or FIELD; a name ending in .png is `file`
+  std::string file;               // PNG
+  std::string reference;          // CSV:COLUMN
+  std::string at;                 // time of the field
+  std::string slice;              // "z=0mm"
+};
+int plot(const PlotOptions& options);
+
+struct StudyOptions {
+  std::string file;
+  std::vector<std::string> sizes;    // of cells
+  std::vector<std::string> offsets;  // of the mesh, in cells
+  std::vector<std::string> overrides;
+  std::string folder;
+};
+int study(const StudyOptions& options);
+
+int list_library();
+int show_material(const std::string& name);
+int print_schema(bool markdown);
+int explain(const std::string& key);
+
+}  // namespace recoil::app

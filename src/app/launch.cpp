@@ -1,0 +1,88 @@
+#include "app/launch.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/error.hpp"
+
+namespace recoil::app {
+
+namespace {
+
+/// Pointers that execvp wants; valid as long as the words.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& w : words) pointers.push_back(w.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// The rank that Open MPI, MPICH or Slurm gave us; null: not launched.
+const char* rank_from_launcher() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+    if (const char* rank = std::getenv(name)) return rank;
+  return nullptr;
+}
+
+}  // namespace
+
+std::filesystem::path program_file() {
+  std::error_code error;
+  const auto file = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) throw EnvironmentError("the program's own file cannot be found: " + error.message());
+  return file;
+}
+
+bool launched() { return rank_from_launcher() != nullptr; }
+
+bool speaks() {
+  const char* rank = rank_from_launcher();
+  return !rank || std::string(rank) == "0";
+}
+
+void prepare_mpi_environment() {
+  for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
+                           "OMPI_MCA_rmaps_base_oversubscribe", "OMPI_MCA_mpi_yield_when_idle"})
+    setenv(name, "1", 0);
+}
+
+void become_mpirun(int ranks, const std::vector<std::string>& arguments) {
+  prepare_mpi_environment();
+  // -q: an exit code of ours is no failure of MPI that needs a page of explanation.
+  std::vector<std::string> words{"mpirun", "-q", "-n", std::to_string(ranks), program_file().string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  execvp("mpirun", pointers_to(words).data());
+  throw EnvironmentError(fmt::format(
+      "mpirun cannot be started: {}\n   = help: install Open MPI, or leave out -n", std::strerror(errno)));
+}
+
+int run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
+  std::vector<std::string> words{program_file().string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const std::vector<char*> pointers = pointers_to(words);
+  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0)
+    throw EnvironmentError(fmt::format("{} cannot be written: {}", log.string(), std::strerror(errno)));
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
+    execv(pointers[0], pointers.data());
+    _exit(127);
+  }
+  close(file);
+  int status = 0;
+  while (child > 0 && waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) break;
+  if (child < 0 || !WIFEXITED(status) || WEXITSTATUS(status) == 127)
+    throw EnvironmentError(fmt::format("{} could not be run to its end; see {}", words[0], log.string()));
+  return WEXITSTATUS(status);
+}
+
+}  // namespace recoil::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Processes: who we are, and how to start others.
+namespace recoil::app {
+
+/// The file of the running program. @throws EnvironmentError where the system does not tell.
+std::filesystem::path program_file();
+
+/// Whether this process prints: all but the first one under mpirun are silent. Known before MPI starts.
+bool speaks();
+
+/// Whether an MPI launcher started this process.
+bool launched();
+
+/// What Open MPI needs in containers: leave to run as root, with more processes than processors, waiting
+/// without heat. Variables that the user has set stay.
+void prepare_mpi_environment();
+
+/// Becomes `mpirun -n RANKS program ARGUMENTS...`; does not return.
+/// @throws EnvironmentError where mpirun cannot be started.
+[[noreturn]] void become_mpirun(int ranks, const std::vector<std::string>& arguments);
+
+/// Runs the program once more with these arguments and waits. Its output goes to the file `log`.
+/// @returns its exit code. @throws EnvironmentError where it cannot be started.
+int run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log);
+
+}  // namespace recoil::app

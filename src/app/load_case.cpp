@@ -1,0 +1,81 @@
+#include "app/load_case.hpp"
+
+#include <fmt/format.h>
+
+#include "app/data_folder.hpp"
+#include "config/read_body.hpp"
+#include "config/read_case.hpp"
+#include "config/read_expect.hpp"
+#include "core/closest.hpp"
+#include "core/error.hpp"
+#include "material/library.hpp"
+
+namespace recoil::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> shipped_cases() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(data_folder() / "cases", error))
+    if (fs::exists(entry.path() / "case.toml")) names.push_back(entry.path().filename().string());
+  return names;
+}
+
+/// expected.toml belongs to the case as it stands there: [expect] of the case itself comes first.
+void add_expected_file(LoadedCase& loaded) {
+  const fs::path file = loaded.folder / "expected.toml";
+  if (!fs::exists(file)) return;
+  const config::Document document = config::read_document(file.string(), loaded.found);
+  if (!document.complete) return;
+  const auto more = config::read_expectations(document, loaded.found);
+  auto& all = loaded.contents.expect;
+  config::check_expected_names(more, loaded.contents.bodies, loaded.contents.gauges, loaded.found);
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+fs::path find_case_file(const std::string& word) {
+  if (fs::is_directory(word)) {
+    if (fs::exists(fs::path(word) / "case.toml")) return fs::path(word) / "case.toml";
+    throw InputError(fmt::format("the folder {} holds no case.toml", word));
+  }
+  if (fs::exists(word)) return word;
+  const fs::path shipped = data_folder() / "cases" / word / "case.toml";
+  const bool is_name = word.find('/') == std::string::npos;
+  if (is_name && fs::exists(shipped)) return shipped;
+  const std::string near = is_name ? did_you_mean(word, shipped_cases()) : "";
+  throw InputError(
+      fmt::format("there is no case file {}\n   = help: {}", word,
+                  near.empty() ? "give a .toml file, a folder that holds case.toml, or the name of one in " +
+                                     (data_folder() / "cases").string()
+                               : near));
+}
+
+std::string short_name(const fs::path& case_file) {
+  if (case_file.filename() != "case.toml") return case_file.stem().string();
+  return fs::absolute(case_file).lexically_normal().parent_path().filename().string();
+}
+
+LoadedCase load_case(const std::string& word, const std::vector<std::string>& overrides) {
+  LoadedCase loaded;
+  const fs::path file = find_case_file(word);
+  loaded.folder = file.parent_path();
+  loaded.contents = config::read_case(file.string(), loaded.document, loaded.found, overrides);
+  add_expected_file(loaded);
+  for (const config::Body& body : loaded.contents.bodies) {
+    Material none;
+    if (!body.rigid && !body.material.empty()) {
+      auto material = find_material(body.material, &loaded.document, materials_folder(), loaded.found,
+                                    body.material_place);
+      if (material) none = std::move(*material);
+    }
+    loaded.materials.push_back(std::move(none));
+  }
+  return loaded;
+}
+
+}  // namespace recoil::app

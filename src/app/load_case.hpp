@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "config/case.hpp"
+#include "config/diagnostics.hpp"
+#include "config/document.hpp"
+#include "material/material.hpp"
+
+namespace recoil::app {
+
+/// A case with all that it refers to.
+struct LoadedCase {
+  config::Document document;        // with the changes of the command line
+  config::Case contents;            // with the expectations of expected.toml beside the file
+  std::vector<Material> materials;  // one for each body; rigid bodies have an empty one
+  config::Diagnostics found;        // mistakes and warnings
+  std::filesystem::path folder;     // of the file
+};
+
+/// The case file meant by a word of the command line: a file, a folder that holds case.toml, or the name of
+/// one of the shipped cases. @throws InputError where there is none.
+std::filesystem::path find_case_file(const std::string& word);
+
+/// "flyer_al_cu" of cases/flyer_al_cu/case.toml, "mine" of mine.toml.
+std::string short_name(const std::filesystem::path& case_file);
+
+/// Reads the case, expected.toml, and the materials; all mistakes are in `found`. With errors the rest is
+/// only good for finding more of them. @throws InputError where there is no such file.
+LoadedCase load_case(const std::string& word, const std::vector<std::string>& overrides);
+
+/// Checks that need more than single values, for cases without errors so far: overlapping bodies, bodies
+/// outside the domain or too thin, gauges off their body, doubtful constants of materials.
+void check_logic(LoadedCase& loaded);
+
+}  // namespace recoil::app

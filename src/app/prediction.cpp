@@ -1,0 +1,286 @@
+#include "app/prediction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "config/read_shape.hpp"
+
+namespace recoil::app {
+
+namespace {
+
+using config::Body;
+using config::Case;
+using config::Geometry;
+using config::Shape;
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// The extent of a body along each axis of the case, where its faces are at right angles to them.
+struct Extent {
+  bool plain = false;
+  config::Vector lo{}, hi{};
+};
+
+Extent extent_of(const Shape& s, Geometry geometry) {
+  Extent e;
+  const bool axisymmetric = geometry == Geometry::axisymmetric;
+  if (s.kind == Shape::Kind::box && s.rotation == 0) {
+    e = {true, s.lo, s.hi};
+  } else if (s.kind == Shape::Kind::cylinder && axisymmetric) {
+    e = {true, {0, s.length_lo, 0}, {s.radius, s.length_hi, 0}};
+  } else if (s.kind == Shape::Kind::cylinder && geometry == Geometry::space) {
+    const auto axis = static_cast<std::size_t>(
+        std::max_element(s.axis.begin(), s.axis.end(),
+                         [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+        s.axis.begin());
+    if (std::abs(s.axis[axis]) < 1 - 1e-9) return e;
+    e.plain = true;
+    for (std::size_t d = 0; d < 3; ++d) e.lo[d] = s.centre[d] - s.radius, e.hi[d] = s.centre[d] + s.radius;
+    const double a = s.centre[axis] + s.axis[axis] * s.length_lo,
+                 b = s.centre[axis] + s.axis[axis] * s.length_hi;
+    e.lo[axis] = std::min(a, b), e.hi[axis] = std::max(a, b);
+  } else if (s.kind == Shape::Kind::half_space) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      e.lo[d] = -endless, e.hi[d] = endless;
+      if (std::abs(s.normal[d]) < 1 - 1e-9) continue;
+      e.plain = true;
+      (s.normal[d] > 0 ? e.hi[d] : e.lo[d]) = s.point[d];
+    }
+  }
+  return e;
+}
+
+/// Whether two bodies lie side by side over some width across `axis`.
+bool beside(const Extent& a, const Extent& b, std::size_t axis, int dim) {
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dim); ++d)
+    if (d != axis && !(std::min(a.hi[d], b.hi[d]) > std::max(a.lo[d], b.lo[d]))) return false;
+  return true;
+}
+
+/// Whether nothing lies between `from` and `to` along the axis over the width of `body`.
+bool nothing_between(const std::vector<Extent>& all, std::size_t body, std::size_t axis, int dim, double from,
+                     double to) {
+  const double slack = 1e-9 * (1 + std::abs(from));
+  for (std::size_t m = 0; m < all.size(); ++m)
+    if (m != body && all[m].plain && beside(all[m], all[body], axis, dim) && all[m].lo[axis] < to + slack &&
+        all[m].hi[axis] > from - slack)
+      return false;
+  return true;
+}
+
+/// The pair whose face `low.hi` meets `high.lo`, if they close in.
+std::optional<PlatePair> pair_along(const Case& c, const std::vector<Extent>& all, std::size_t low,
+                                    std::size_t high, std::size_t axis) {
+  const int dim = config::dimension(c.domain.geometry);
+  const Extent &a = all[low], &b = all[high];
+  const double gap = b.lo[axis] - a.hi[axis];
+  const double closing = c.bodies[low].velocity[axis] - c.bodies[high].velocity[axis];
+  if (!a.plain || !b.plain || !beside(a, b, axis, dim) || !(gap > -1e-9) || !std::isfinite(gap) ||
+      !(closing > 0))
+    return std::nullopt;
+  for (std::size_t m = 0; m < all.size(); ++m)
+    if (m != low && m != high && all[m].plain && beside(all[m], a, axis, dim) &&
+        all[m].lo[axis] >= a.hi[axis] - 1e-9 && all[m].hi[axis] <= b.lo[axis] + 1e-9)
+      return std::nullopt;
+  const auto speed = [&](std::size_t m) { return std::abs(c.bodies[m].velocity[axis]); };
+  const bool low_flies = speed(low) >= speed(high);
+  PlatePair p;
+  p.flyer = static_cast<int>(low_flies ? low : high);
+  p.target = static_cast<int>(low_flies ? high : low);
+  p.axis = static_cast<int>(axis);
+  p.direction = low_flies ? 1 : -1;
+  p.gap = std::max(gap, 0.0);
+  p.closing = closing;
+  const double low_thickness = a.hi[axis] - a.lo[axis], high_thickness = b.hi[axis] - b.lo[axis];
+  const bool low_free =
+      nothing_between(all, low, axis, dim, a.lo[axis], a.lo[axis]) && a.lo[axis] > c.domain.lo[axis];
+  const bool high_free =
+      nothing_between(all, high, axis, dim, b.hi[axis], b.hi[axis]) && b.hi[axis] < c.domain.hi[axis];
+  p.flyer_thickness = low_flies ? low_thickness : high_thickness;
+  p.target_thickness = low_flies ? high_thickness : low_thickness;
+  p.flyer_rear_free = low_flies ? low_free : high_free;
+  p.target_rear_free = low_flies ? high_free : low_free;
+  return p;
+}
+
+/// The impact state; a rigid partner keeps its velocity and the whole difference falls to the other.
+Impact match(const PlatePrediction& p, const Material& flyer, const Material& target) {
+  if (!p.flyer_rigid && !p.target_rigid) return match_impact(flyer, target, p.pair.closing);
+  Impact impact;
+  if (p.target_rigid) {
+    impact.flyer = shock_at_velocity(flyer, p.pair.closing);
+    impact.stress = impact.flyer.stress;
+  } else {
+    impact.velocity = p.pair.closing;
+    impact.target = shock_at_velocity(target, p.pair.closing);
+    impact.stress = impact.target.stress;
+  }
+  return impact;
+}
+
+/// Time after impact at which the release from a rear face unloads the interface.
+double whole_release(const ShockState& s, const Material& m, double thickness) {
+  return s.plastic_strain > 0 || shear_modulus(m) == 0
+             ? unloading_time(s, m, thickness)
+             : thickness / s.shock_speed + thickness / release_head_speed(s, m);
+}
+
+double head_of_release(const ShockState& s, const Material& m, double thickness) {
+  return thickness / s.shock_speed + thickness / release_head_speed(s, m);
+}
+
+void predict_parting(PlatePrediction& p, const Impact& impact, const Material& flyer,
+                     const Material& target) {
+  p.opens = endless;
+  const bool leaves = p.target_rigid || (!p.flyer_rigid && flyer_leaves(impact, flyer, target));
+  const bool stays = p.flyer_rigid || (!p.target_rigid && impact.flyer.stress > 0 &&
+                                       impact.flyer.stress / impact.flyer.velocity >
+                                           impact.target.stress / impact.target.velocity * (1 + 1e-9));
+  if (leaves || !stays) {
+    if (!p.pair.flyer_rear_free) return;
+    p.parting = leaves ? Parting::by_flyer_release : Parting::neutral;
+    p.opens = p.contact + whole_release(impact.flyer, flyer, p.pair.flyer_thickness);
+  } else if (p.pair.target_rear_free && !p.target_rigid) {
+    // Little stress is left by then: already the elastic head of the release opens the contact, and it runs
+    // back through matter that is nearly at rest density.
+    p.parting = Parting::by_target_release;
+    p.opens = p.contact +
+              p.pair.target_thickness * (1 / impact.target.shock_speed + 1 / longitudinal_speed(target));
+  }
+}
+
+void predict_rear(PlatePrediction& p, const Impact& impact, const Material& flyer, const Material& target) {
+  const double length = p.pair.target_thickness;
+  const ShockState& s = impact.target;
+  if (s.has_precursor) {
+    p.precursor_arrival = p.contact + length / s.precursor_speed;
+    p.precursor_surface_velocity = 2 * s.precursor_velocity;
+  }
+  p.shock_arrival = p.contact + length / s.shock_speed;
+  p.plateau_surface_velocity = s.velocity + unloading_velocity(s, target);
+  p.release_arrival = p.overtaking_depth = endless;
+  if (p.flyer_rigid || !p.pair.flyer_rear_free) return;
+  const double start = head_of_release(impact.flyer, flyer, p.pair.flyer_thickness);
+  const double head = release_head_speed(s, target);
+  p.release_arrival = p.contact + start + length / head;
+  if (head > s.shock_speed) p.overtaking_depth = s.shock_speed * head * start / (head - s.shock_speed);
+}
+
+std::string shock_line(const std::string& name, const ShockState& s) {
+  std::string text = fmt::format("    {:<12} shock {:.0f} m/s, {:.0f} kg/m3, pressure {:.4g} GPa", name,
+                                 s.shock_speed, s.density, s.pressure * 1e-9);
+  if (s.has_precursor)
+    text += fmt::format("; precursor {:.0f} m/s, elastic limit {:.4g} GPa", s.precursor_speed,
+                        s.precursor_stress * 1e-9);
+  else if (s.plastic_strain == 0 && s.yield > 0)
+    text += "; elastic";
+  return text + '\n';
+}
+
+std::string rear_lines(const PlatePrediction& p, const std::string& target) {
+  std::string text = fmt::format("  rear face of '{}'\n", target);
+  if (p.precursor_arrival)
+    text += fmt::format("    {:<12} precursor, to {:.4g} m/s\n",
+                        fmt::format("{:.4g} us", *p.precursor_arrival * 1e6), p.precursor_surface_velocity);
+  text += fmt::format("    {:<12} shock, towards {:.4g} m/s\n",
+                      fmt::format("{:.4g} us", p.shock_arrival * 1e6), p.plateau_surface_velocity);
+  if (std::isfinite(p.release_arrival)) {
+    const bool overtaken = p.overtaking_depth < p.pair.target_thickness;
+    text += overtaken
+                ? fmt::format(
+                      "    the release from the flyer's rear overtakes the shock at a depth of {:.3g} mm: "
+                      "lower and later than that\n",
+                      p.overtaking_depth * 1e3)
+                : fmt::format(
+                      "    {:<12} release from the flyer's rear; it would overtake the shock at {:.3g} mm\n",
+                      fmt::format("{:.4g} us", p.release_arrival * 1e6), p.overtaking_depth * 1e3);
+  }
+  return text;
+}
+
+std::string parting_line(const PlatePrediction& p, const std::string& flyer) {
+  switch (p.parting) {
+    case Parting::by_flyer_release:
+      return fmt::format(
+          "  opens about {:.3g} us: the release from the rear of '{}' pulls, its rear goes on at {:.4g} "
+          "m/s\n",
+          p.opens * 1e6, flyer, p.flyer_rear_after);
+    case Parting::by_target_release:
+      return fmt::format(
+          "  stays in contact until the release from the rear of the target comes, about {:.3g} us\n",
+          p.opens * 1e6);
+    case Parting::neutral:
+      return fmt::format("  unloaded without a pull (equal impedances) about {:.3g} us\n", p.opens * 1e6);
+    case Parting::open:
+      return "  no parting from free rear faces\n";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<PlatePair> find_plate_pairs(const Case& c) {
+  std::vector<Extent> all;
+  for (const Body& body : c.bodies) all.push_back(extent_of(body.shape, c.domain.geometry));
+  std::vector<PlatePair> pairs;
+  const auto dim = static_cast<std::size_t>(config::dimension(c.domain.geometry));
+  for (std::size_t a = 0; a < all.size(); ++a)
+    for (std::size_t b = 0; b < all.size(); ++b)
+      for (std::size_t axis = 0; a != b && axis < dim; ++axis)
+        if (!(c.bodies[a].rigid && c.bodies[b].rigid))
+          if (const auto pair = pair_along(c, all, a, b, axis)) pairs.push_back(*pair);
+  return pairs;
+}
+
+double unloading_velocity(const ShockState& s, const Material& m) {
+  const double shear = shear_modulus(m);
+  const double elastic_impedance = s.density * s.release_speed;
+  double elastic = 0;  // stress given up before the matter yields the other way
+  if (shear > 0)
+    elastic = s.plastic_strain > 0 ? elastic_impedance * s.release_speed * s.yield / shear : s.stress;
+  elastic = std::min(elastic, s.stress);
+  const double bulk_impedance = 0.5 * (s.density * s.bulk_speed + density(m) * bulk_sound_speed(m));
+  return (elastic > 0 ? elastic / elastic_impedance : 0) + (s.stress - elastic) / bulk_impedance;
+}
+
+PlatePrediction predict(const PlatePair& pair, const Case& c, const std::vector<Material>& materials) {
+  const auto f = static_cast<std::size_t>(pair.flyer), t = static_cast<std::size_t>(pair.target);
+  const auto axis = static_cast<std::size_t>(pair.axis);
+  PlatePrediction p;
+  p.pair = pair;
+  p.flyer_rigid = c.bodies[f].rigid;
+  p.target_rigid = c.bodies[t].rigid;
+  p.contact = pair.gap / pair.closing;
+  const Impact impact = match(p, materials[f], materials[t]);
+  p.velocity = c.bodies[t].velocity[axis] + pair.direction * impact.velocity;
+  p.stress = impact.stress;
+  p.flyer_shock = impact.flyer;
+  p.target_shock = impact.target;
+  predict_parting(p, impact, materials[f], materials[t]);
+  if (!p.flyer_rigid)
+    p.flyer_rear_after = p.velocity - pair.direction * unloading_velocity(impact.flyer, materials[f]);
+  if (!p.target_rigid && pair.target_rear_free && std::isfinite(pair.target_thickness))
+    predict_rear(p, impact, materials[f], materials[t]);
+  return p;
+}
+
+std::string describe(const PlatePrediction& p, const Case& c) {
+  const std::string& flyer = c.bodies[static_cast<std::size_t>(p.pair.flyer)].name;
+  const std::string& target = c.bodies[static_cast<std::size_t>(p.pair.target)].name;
+  const std::string axis = config::axes_of(c.domain.geometry)[static_cast<std::size_t>(p.pair.axis)];
+  std::string text = fmt::format("  '{}' meets '{}' at {:.4g} us, closing at {:.4g} m/s along {}\n", flyer,
+                                 target, p.contact * 1e6, p.pair.closing, axis);
+  text += fmt::format("  interface     {:.4g} m/s, {:.4g} GPa\n", p.velocity, p.stress * 1e-9);
+  if (!p.flyer_rigid) text += shock_line(flyer, p.flyer_shock);
+  if (!p.target_rigid) text += shock_line(target, p.target_shock);
+  if (p.shock_arrival > 0) text += rear_lines(p, target);
+  text += parting_line(p, flyer);
+  if (c.domain.geometry != Geometry::line) text += "  all this until releases from the sides arrive\n";
+  return text;
+}
+
+}  // namespace recoil::app

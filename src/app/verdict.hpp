@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/reporter.hpp"
+#include "output/summary.hpp"
+
+namespace recoil::app {
+
+/// The end of a run in a few lines: steps and time, balances, what was limited, expectations.
+void tell_verdict(Reporter& reporter, const Summary& summary);
+
+/// A value in the unit of its expectation, "0.6994 us"; "none" where there is none.
+std::string written(const CheckResult& result);
+
+}  // namespace recoil::app
