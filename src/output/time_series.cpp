@@ -26,9 +26,15 @@ std::vector<double> knots(const Curve& curve, double from, double to) {
 }  // namespace
 
 std::size_t TimeSeries::find(std::string_view column) const {
-  const auto at =
-      std::find_if(columns.begin(), columns.end(), [&](const SeriesColumn& c) { return c.name == column; });
-  return static_cast<std::size_t>(at - columns.begin());
+  std::size_t part = columns.size(), parts = 0;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const std::string_view name = columns[c].name;
+    if (name == column) return c;
+    if (!name.starts_with(column) || name.substr(column.size()).find('.') != 0) continue;
+    part = c;
+    ++parts;
+  }
+  return parts == 1 ? part : columns.size();
 }
 
 Curve curve_of(const TimeSeries& series, std::size_t column) {

@@ -22,7 +22,8 @@ struct TimeSeries {
   std::vector<double> time;                 ///< s, rising
   std::vector<std::vector<double>> values;  ///< [column][record]
 
-  /// Position of a column, or columns.size().
+  /// Position of a column, or columns.size(). A vector with one component answers to its name without the
+  /// axis.
   std::size_t find(std::string_view column) const;
 };
 

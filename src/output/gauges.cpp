@@ -1,0 +1,250 @@
+#include "output/gauges.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+
+namespace recoil {
+
+namespace {
+
+using Kind = config::Gauge::Kind;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+template <int Dim>
+int number_of(const State<Dim>& state, const std::string& name) {
+  for (int m = 0; m < state.count(); ++m)
+    if (state.bodies[static_cast<std::size_t>(m)].name == name) return m;
+  throw InternalError("internal error: a gauge of a body that does not exist: " + name);
+}
+
+/// The columns of one kind of gauge, in the order in which its readings are appended.
+struct ColumnList {
+  const RunUnits& units;
+  std::vector<SeriesColumn> columns{};
+
+  void one(const char* name, const std::string& unit, double to_unit = 1) {
+    columns.push_back({name, unit, to_unit});
+  }
+  void axes(const std::string& name, const std::string& unit, double to_unit = 1) {
+    for (const std::string& axis : units.axes) columns.push_back({name + "." + axis, unit, to_unit});
+  }
+};
+
+std::vector<SeriesColumn> columns_of(Kind kind, const RunUnits& units) {
+  ColumnList list{units};
+  switch (kind) {
+    case Kind::surface_velocity:
+      list.one("velocity", "m/s");
+      list.axes("velocity", "m/s");
+      list.axes("position", "mm", 1e3);
+      break;
+    case Kind::point:
+      list.one("pressure", "GPa", 1e-9);
+      list.axes("velocity", "m/s");
+      for (const std::string& c : units.stresses) list.columns.push_back({"stress." + c, "GPa", 1e-9});
+      list.one("density", "kg/m3");
+      list.one("von-mises", "GPa", 1e-9);
+      list.one("plastic-strain", "1");
+      list.one("temperature", "K");
+      break;
+    case Kind::body:
+      list.axes("velocity", "m/s");
+      list.axes("position", "mm", 1e3);
+      list.axes("lowest", "mm", 1e3);
+      list.axes("highest", "mm", 1e3);
+      list.one("mass", units.mass);
+      list.one("kinetic", units.energy);
+      list.one("internal", units.energy);
+      list.one("plastic-strain", "1");
+      break;
+    case Kind::contact:
+      list.one("traction", "GPa", 1e-9);
+      list.one("velocity", "m/s");
+      list.one("area", units.area);
+      for (const char* name : {"gap", "widest-gap", "deepest-overlap"}) list.one(name, "dx");
+      list.axes("force", units.force);
+      list.axes("impulse", units.momentum);
+      list.one("work", units.energy);
+      break;
+  }
+  return list.columns;
+}
+
+template <int Dim>
+void append(std::vector<double>& row, const Vec<Dim>& v) {
+  row.insert(row.end(), v.c.begin(), v.c.end());
+}
+
+}  // namespace
+
+template <int Dim>
+Gauges<Dim>::Gauges(const config::Case& c, const State<Dim>& state, const parallel::World& world,
+                    const std::filesystem::path& folder, OrderedSums& sums)
+    : world_(world), units_(run_units(c.domain.geometry)), dx_(state.grid().dx) {
+  for (const config::Gauge& from : c.gauges) {
+    Gauge g{.kind = from.kind, .due = Due(from.every), .point = {}, .series = {}, .file = {}};
+    g.series.name = from.name;
+    if (g.kind == Kind::contact) {
+      const int a = number_of(state, from.pair[0]), b = number_of(state, from.pair[1]);
+      g.body = std::min(a, b);
+      g.turned = a > b;
+      // Records follow the normal out of the lower-numbered body, or out of the deformable one of a rigid
+      // pair.
+      g.outward = g.turned != state.bodies[static_cast<std::size_t>(g.body)].rigid.has_value() ? -1 : 1;
+      g.pair = pair_number(g.body, std::max(a, b), state.count());
+    } else {
+      g.body = number_of(state, from.body);
+    }
+    if (g.kind == Kind::surface_velocity) g.item = sums.item(surface_sums<Dim>);
+    if (g.kind == Kind::point) g.item = sums.item(point_sums<Dim>);
+    g.point.body = g.body;
+    for (int d = 0; d < Dim; ++d) g.point.at[d] = from.at[static_cast<std::size_t>(d)];
+    if (world.rank() == 0) open(g, folder);
+    gauges_.push_back(std::move(g));
+  }
+}
+
+template <int Dim>
+void Gauges<Dim>::open(Gauge& g, const std::filesystem::path& folder) {
+  g.series.columns = columns_of(g.kind, units_);
+  g.series.values.resize(g.series.columns.size());
+  std::vector<std::string> names{"time [us]"};
+  for (const SeriesColumn& c : g.series.columns) names.push_back(c.name + " [" + c.unit + "]");
+  g.file.emplace(folder / (g.series.name + ".csv"), names);
+}
+
+template <int Dim>
+bool Gauges<Dim>::needs_totals(double time) const {
+  for (const Gauge& g : gauges_)
+    if (g.kind == Kind::body && g.due.at(time)) return true;
+  return false;
+}
+
+template <int Dim>
+void Gauges<Dim>::collect(const State<Dim>& state, OrderedSums& sums, bool at_rest) const {
+  for (const Gauge& g : gauges_) {
+    if (g.kind == Kind::surface_velocity && at_rest) probe_surface_at_rest(state, g.point, g.item, sums);
+    if (g.kind == Kind::surface_velocity && !at_rest) probe_surface(state, g.point, g.item, sums);
+    if (g.kind == Kind::point) probe_point(state, g.body, g.point.at, g.item, sums);
+  }
+}
+
+template <int Dim>
+void Gauges<Dim>::read_surface_velocity(Gauge& g, double dt, const OrderedSums& sums) {
+  const auto reading = read_surface<Dim>(sums.total(g.item));
+  ride(g.point, reading, dt);
+  row_.push_back(reading.found ? dot(reading.velocity, reading.normal) : nothing);
+  for (int d = 0; d < Dim; ++d) row_.push_back(reading.found ? reading.velocity[d] : nothing);
+  append(row_, g.point.at);
+}
+
+template <int Dim>
+void Gauges<Dim>::read_body(const BodyTotals<Dim>& b) {
+  append(row_, b.momentum * (1 / b.mass));
+  append(row_, b.place * (1 / b.mass));
+  append(row_, b.lowest);
+  append(row_, b.highest);
+  row_.insert(row_.end(), {units_.whole * b.mass, units_.whole * b.kinetic, units_.whole * b.internal(),
+                           b.plastic_strain});
+}
+
+template <int Dim>
+void Gauges<Dim>::read_contact(const Gauge& g, const PairSample& p) {
+  const double sign = units_.whole * (g.turned ? -1 : 1);
+  const bool touching = p.area > 0;
+  row_.push_back(touching ? p.traction / p.area : 0);
+  row_.push_back(touching ? g.outward * p.velocity / p.area : nothing);
+  row_.push_back(units_.whole * p.area);
+  row_.push_back(touching ? p.gap / p.area / dx_ : nothing);
+  row_.push_back(touching ? p.widest_gap : nothing);
+  row_.push_back(touching ? p.deepest_overlap : nothing);
+  for (std::size_t d = 0; d < Dim; ++d) row_.push_back(sign * p.force[d]);
+  for (std::size_t d = 0; d < Dim; ++d) row_.push_back(sign * p.impulse[d]);
+  row_.push_back(sign * p.work);
+}
+
+template <int Dim>
+void Gauges<Dim>::read(Gauge& g, double dt, const OrderedSums& sums, const std::vector<PairSample>& pairs,
+                       const Totals<Dim>* totals) {
+  row_.clear();
+  switch (g.kind) {
+    case Kind::surface_velocity:
+      return read_surface_velocity(g, dt, sums);
+    case Kind::body:
+      return read_body(totals->bodies[static_cast<std::size_t>(g.body)]);
+    case Kind::contact:
+      return read_contact(g, pairs[static_cast<std::size_t>(g.pair)]);
+    case Kind::point: {
+      const auto found = sums.total(g.item);
+      const bool there = sums.any(g.item);
+      // Sums keep the density first; people want the pressure first.
+      const auto at = [&](std::size_t k) { row_.push_back(there ? found[k] : nothing); };
+      at(1 + Dim);
+      for (std::size_t d = 0; d < Dim; ++d) at(1 + d);
+      for (std::size_t k = 0; k < PointState<Dim>::stresses; ++k) at(2 + Dim + k);
+      at(0);
+      for (std::size_t k = point_sums<Dim> - 3; k < point_sums<Dim>; ++k) at(k);
+    }
+  }
+}
+
+template <int Dim>
+void Gauges<Dim>::write(Gauge& g, double time) {
+  if (!g.series.time.empty() && !(time > g.series.time.back())) return;
+  g.series.time.push_back(time);
+  written_.assign(1, time * 1e6);
+  for (std::size_t c = 0; c < row_.size(); ++c) {
+    g.series.values[c].push_back(row_[c]);
+    written_.push_back(row_[c] * g.series.columns[c].to_unit);
+  }
+  g.file->row(written_);
+}
+
+template <int Dim>
+void Gauges<Dim>::share_points() {
+  if (world_.size() == 1) return;
+  parallel::Bytes bytes;
+  for (const Gauge& g : gauges_)
+    if (g.kind == Kind::surface_velocity) parallel::pack(bytes, g.point);
+  if (bytes.empty()) return;
+  world_.broadcast(bytes);
+  parallel::Unpacker reader(bytes);
+  for (Gauge& g : gauges_)
+    if (g.kind == Kind::surface_velocity) g.point = reader.read<SurfacePoint<Dim>>();
+}
+
+template <int Dim>
+void Gauges<Dim>::record(double time, double dt, const OrderedSums& sums,
+                         const std::vector<PairSample>& pairs, const Totals<Dim>* totals, bool all) {
+  for (Gauge& g : gauges_) {
+    const bool due = all || g.due.at(time);
+    if (world_.rank() == 0 && (due || g.kind == Kind::surface_velocity)) {
+      read(g, dt, sums, pairs, totals);
+      if (due) write(g, time);
+    }
+    if (due) g.due.done(time);
+  }
+  share_points();
+}
+
+template <int Dim>
+void Gauges<Dim>::flush() {
+  for (Gauge& g : gauges_)
+    if (g.file) g.file->flush();
+}
+
+template <int Dim>
+std::vector<TimeSeries> Gauges<Dim>::series() const {
+  std::vector<TimeSeries> all;
+  for (const Gauge& g : gauges_) all.push_back(g.series);
+  return all;
+}
+
+template class Gauges<1>;
+template class Gauges<2>;
+template class Gauges<3>;
+
+}  // namespace recoil

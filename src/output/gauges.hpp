@@ -1,0 +1,82 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "config/case.hpp"
+#include "output/csv.hpp"
+#include "output/due.hpp"
+#include "output/pair_sample.hpp"
+#include "output/probes.hpp"
+#include "output/run_units.hpp"
+#include "output/time_series.hpp"
+#include "output/totals.hpp"
+
+namespace recoil {
+
+/// All gauges of a case: gauges/NAME.csv, and the same in memory. Columns, after `time [us]`, by kind (AXIS:
+/// x, or r and z, ...):
+///   surface-velocity  velocity (along the outward normal), velocity.AXIS, position.AXIS of the point, which
+///   moves
+///                     with the surface along its normal
+///   point             pressure, velocity.AXIS, stress.COMPONENT, density, von-mises, plastic-strain,
+///   temperature: of the body in the
+///                     cell that holds the point, NaN where it is not there
+///   body              velocity.AXIS (mean by mass), position.AXIS (centre of mass), lowest.AXIS and
+///   highest.AXIS (its extent), mass,
+///                     kinetic, internal, plastic-strain (largest)
+///   contact           traction (mean over the area in contact, positive in tension; 0 when apart), velocity
+///   (of the work, along the
+///                     normal out of the first body), area, gap (mean), widest-gap, deepest-overlap,
+///                     force.AXIS and impulse.AXIS on the first named body, work done on it
+template <int Dim>
+class Gauges {
+ public:
+  /// Declares what they sum; rank 0 opens the files. @throws EnvironmentError.
+  Gauges(const config::Case& case_, const State<Dim>& state, const parallel::World& world,
+         const std::filesystem::path& folder, OrderedSums& sums);
+
+  /// Whether a gauge needs the sums over whole bodies at this time. The same on all ranks.
+  bool needs_totals(double time) const;
+  /// Adds this rank's share of all that is due.
+  void collect(const State<Dim>& state, OrderedSums& sums, bool at_rest) const;
+  /// Records what is due, on rank 0, after the reduction; then moves the points, on all ranks. Collective.
+  /// @param totals of this time where needs_totals(), else null. @param all record also what is not due.
+  void record(double time, double dt, const OrderedSums& sums, const std::vector<PairSample>& pairs,
+              const Totals<Dim>* totals, bool all = false);
+  /// Hands what is written to the system.
+  void flush();
+  /// On rank 0.
+  std::vector<TimeSeries> series() const;
+
+ private:
+  struct Gauge {
+    config::Gauge::Kind kind;
+    Due due;
+    int item = -1;  // of OrderedSums, or -1
+    int body = 0;   // or the first of the pair
+    int pair = 0;
+    bool turned = false;  // the pair is named the other way round
+    double outward = 1;   // -1: the contact's normal points out of the second named body
+    SurfacePoint<Dim> point;
+    TimeSeries series;
+    std::optional<CsvWriter> file;
+  };
+  void open(Gauge& g, const std::filesystem::path& folder);
+  void read(Gauge& g, double dt, const OrderedSums& sums, const std::vector<PairSample>& pairs,
+            const Totals<Dim>* totals);
+  void read_surface_velocity(Gauge& g, double dt, const OrderedSums& sums);
+  void read_body(const BodyTotals<Dim>& body);
+  void read_contact(const Gauge& g, const PairSample& pair);
+  void write(Gauge& g, double time);
+  void share_points();
+
+  const parallel::World& world_;
+  RunUnits units_;
+  double dx_;
+  std::vector<Gauge> gauges_;
+  std::vector<double> row_, written_;
+};
+
+}  // namespace recoil
