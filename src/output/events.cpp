@@ -43,12 +43,13 @@ struct EventWatch::Parts {
   bool axisymmetric = false;
   std::vector<Watched> pairs;
   std::vector<BodyMotion> start;
-  std::vector<Event> events;
+  std::vector<Event> events, news;
 
   void add(const Watched& w, double time, const char* kind, std::vector<double> place, std::string detail) {
     Event e{time, kind, w.story.first + "-" + w.story.second, std::move(place), std::move(detail)};
     const auto later = std::upper_bound(events.begin(), events.end(), time,
                                         [](double t, const Event& other) { return t < other.time; });
+    news.push_back(e);
     events.insert(later, std::move(e));
   }
 
@@ -193,6 +194,8 @@ void EventWatch::finish() {
 }
 
 const std::vector<Event>& EventWatch::events() const { return parts_->events; }
+
+std::vector<Event> EventWatch::take_news() { return std::exchange(parts_->news, {}); }
 
 std::vector<PairStory> EventWatch::stories() const {
   std::vector<PairStory> all;

@@ -54,6 +54,8 @@ class EventWatch {
 
   /// In order of time.
   const std::vector<Event>& events() const;
+  /// Those since the last call, in the order in which they became known.
+  std::vector<Event> take_news();
   std::vector<PairStory> stories() const;
 
  private:

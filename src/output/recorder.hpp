@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "config/case.hpp"
@@ -46,5 +47,8 @@ class Recorder {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// What a case is called in files: the name of its file, or of its folder where the file is called case.toml.
+std::string case_name(const config::Case& case_);
 
 }  // namespace recoil
