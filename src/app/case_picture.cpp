@@ -58,7 +58,8 @@ void draw_case(const config::Case& c, const std::filesystem::path& png) {
   picture.title = c.title;
   picture.note =
       dim == 3 ? fmt::format("z = {:.4g} mm", 500 * (c.domain.lo[2] + c.domain.hi[2])) : "at the start";
-  picture.label = "body";
+  for (std::size_t m = 0; m < c.bodies.size(); ++m)
+    picture.label += fmt::format("{}{} {}", m > 0 ? ", " : "", m + 1, c.bodies[m].name);
   picture.range = {{0.5, static_cast<double>(c.bodies.size()) + 0.5}};
   picture.mirror = c.domain.geometry == config::Geometry::axisymmetric;
   picture.x_title = axes[0] + " [mm]";

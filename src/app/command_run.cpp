@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <thread>
 
 #include "app/command_line.hpp"
@@ -15,14 +16,20 @@ namespace recoil::app {
 
 namespace {
 
+/// Set for the processes of a run with -n that was started at a terminal.
+constexpr const char* terminal_mark = "RECOIL_TERMINAL";
+
 int default_threads(const config::Case& c, int ranks) {
   if (c.domain.geometry == config::Geometry::line) return 1;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / ranks);
 }
 
+/// Under mpirun, whose processes always write to something like a terminal, only -n says whether there is
+/// one.
 Display display_of(const RunOptions& options) {
   if (options.quiet) return Display::none;
-  return !options.plain && isatty(STDOUT_FILENO) ? Display::live : Display::plain;
+  const bool terminal = launched() ? std::getenv(terminal_mark) != nullptr : isatty(STDOUT_FILENO) == 1;
+  return !options.plain && terminal ? Display::live : Display::plain;
 }
 
 /// The command line of one of the processes under mpirun: ours without -n.
@@ -35,7 +42,7 @@ std::vector<std::string> arguments_of(const RunOptions& o) {
   if (o.force) words.push_back("--force");
   if (o.quiet) words.push_back("--quiet");
   if (o.verbose) words.push_back("--verbose");
-  if (o.plain || !isatty(STDOUT_FILENO)) words.push_back("--plain");
+  if (o.plain) words.push_back("--plain");
   return words;
 }
 
@@ -76,7 +83,10 @@ int run(const RunOptions& options) {
   LoadedCase loaded = load_case(options.file, overrides);
   if (!loaded.found.has_errors()) check_logic(loaded);
   loaded.found.throw_if_errors();
-  if (options.ranks > 1 && !launched()) become_mpirun(options.ranks, arguments_of(options));
+  if (options.ranks > 1 && !launched()) {
+    if (isatty(STDOUT_FILENO)) setenv(terminal_mark, "1", 1);
+    become_mpirun(options.ranks, arguments_of(options));
+  }
   if (speaks() && !options.quiet && !loaded.found.list().empty())
     fmt::print(stderr, "{}", loaded.found.text());
 

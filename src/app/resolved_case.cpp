@@ -213,8 +213,8 @@ class Writer {
   /// The unit of an expectation is any, so its values stay in the unit that they were written in.
   void add(const config::Expectation& e) {
     const std::string name = quoted(e.quantity);
-    const std::string from =
-        e.place.file == document_.name ? fmt::format("line {}", e.place.line) : e.place.file;
+    const bool own = e.place.file == document_.name;
+    const std::string from = fmt::format("{}line {}", own ? "" : "expected.toml, ", e.place.line);
     if (e.is_flag) {
       out_ += fmt::format("{} = {}  # {}\n", name, e.flag, from);
       return;
@@ -222,7 +222,7 @@ class Writer {
     const auto written = [&](double value, bool difference) {
       if (e.unit.empty()) return format_number(value);
       const double scaled = difference ? value / config::unit_size(e.unit) : config::in_unit(value, e.unit);
-      return quoted(format_number(scaled) + ' ' + e.unit);
+      return quoted(fmt::format("{:.15g} {}", scaled, e.unit));  // without the round-off of the unit
     };
     std::string t = e.at_most ? "at-most = " : e.at_least ? "at-least = " : "value = ";
     t += written(e.value, false);

@@ -1,0 +1,99 @@
+#include "app/prediction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/load_case.hpp"
+
+namespace recoil::app {
+namespace {
+
+const std::string cases = std::string(RECOIL_SOURCE_DIR) + "/cases/";
+
+PlatePrediction predicted(const std::string& file, const std::vector<std::string>& overrides = {}) {
+  const LoadedCase loaded = load_case(file, overrides);
+  EXPECT_FALSE(loaded.found.has_errors()) << loaded.found.text();
+  const auto pairs = find_plate_pairs(loaded.contents);
+  EXPECT_EQ(pairs.size(), 1U);
+  return predict(pairs.at(0), loaded.contents, loaded.materials);
+}
+
+// Exact: jump conditions on the two Hugoniots (cases.md, B).
+TEST(Prediction, AluminiumOnCopperWithoutStrength) {
+  const PlatePrediction p = predicted(cases + "flyer_al_cu_hydro");
+  EXPECT_NEAR(p.velocity, 134.05, 0.02);
+  EXPECT_NEAR(p.stress, 4.956e9, 2e6);
+  EXPECT_NEAR(p.target_shock.shock_speed, 4140, 1);
+  EXPECT_NEAR(p.flyer_shock.shock_speed, 5809, 1);
+  EXPECT_FALSE(p.precursor_arrival.has_value());
+  EXPECT_NEAR(p.shock_arrival, 3.623e-6, 2e-9);
+  EXPECT_NEAR(p.plateau_surface_velocity, 268.1, 1);
+  EXPECT_EQ(p.parting, Parting::by_flyer_release);
+}
+
+// Exact two-wave solution with the rate term off; converged solution for the opening.
+TEST(Prediction, AluminiumOnCopper) {
+  const PlatePrediction p = predicted(cases + "flyer_al_cu");
+  EXPECT_EQ(p.contact, 0);
+  EXPECT_NEAR(p.velocity, 133.69, 0.02);
+  EXPECT_NEAR(p.stress, 5.0838e9, 1e6);
+  ASSERT_TRUE(p.precursor_arrival.has_value());
+  EXPECT_NEAR(*p.precursor_arrival, 3.180e-6, 2e-9);
+  EXPECT_NEAR(p.precursor_surface_velocity, 43.44, 0.05);
+  EXPECT_NEAR(p.shock_arrival, 3.566e-6, 0.01 * 3.566e-6);
+  EXPECT_EQ(p.parting, Parting::by_flyer_release);
+  EXPECT_NEAR(p.opens, 0.695e-6, 0.03 * 0.695e-6);
+  EXPECT_NEAR(p.flyer_rear_after, -174.6, 7);
+}
+
+TEST(Prediction, CopperOnAluminiumStaysUntilTheTargetsRelease) {
+  const PlatePrediction p = predicted(cases + "flyer_cu_al");
+  EXPECT_NEAR(p.velocity, 316.31, 0.02);
+  EXPECT_EQ(p.parting, Parting::by_target_release);
+  EXPECT_NEAR(p.opens, 4.886e-6, 0.01 * 4.886e-6);
+  EXPECT_NEAR(p.plateau_surface_velocity, 623.6, 7);
+}
+
+// Where the release overtakes the shock in aluminium on aluminium, in flyer thicknesses: (c_L + U_s)/(c_L -
+// U_s) of the independent solution's notes, which hold without the precursor's reflection in the flyer.
+TEST(Prediction, ReleaseOvertakesTheShock) {
+  const double speeds[] = {1000, 1500, 1900}, depths[] = {8.87, 8.02, 7.51};
+  for (int i = 0; i < 3; ++i) {
+    const PlatePrediction p =
+        predicted(cases + "flyer_al_cu", {"body.target.material=aluminium/6061-t6",
+                                          "body.flyer.velocity.x=" + std::to_string(speeds[i]) + " m/s"});
+    EXPECT_EQ(p.parting, Parting::neutral);
+    EXPECT_NEAR(p.overtaking_depth / 2e-3, depths[i], 0.15) << speeds[i];
+  }
+}
+
+TEST(Prediction, AGapDelaysAndARigidTargetTakesTheWholeVelocity) {
+  const PlatePrediction p =
+      predicted(cases + "flyer_al_cu", {"body.target.shape.x=[\"0.45 mm\", \"15 mm\"]"});
+  EXPECT_NEAR(p.contact, 1e-6, 1e-12);
+  LoadedCase loaded = load_case(cases + "flyer_al_cu", {});
+  loaded.contents.bodies[1].rigid = true;
+  const auto pairs = find_plate_pairs(loaded.contents);
+  const PlatePrediction wall = predict(pairs.at(0), loaded.contents, loaded.materials);
+  EXPECT_EQ(wall.velocity, 0);
+  EXPECT_NEAR(wall.flyer_shock.velocity, 450, 1e-9);
+  EXPECT_EQ(wall.parting, Parting::by_flyer_release);
+}
+
+TEST(Prediction, MirroredMotionGivesTheMirroredAnswer) {
+  const PlatePrediction there = predicted(cases + "flyer_al_cu");
+  const PlatePrediction back = predicted(
+      cases + "flyer_al_cu", {"body.flyer.shape.x=[\"15 mm\", \"17 mm\"]", "body.flyer.velocity.x=-450 m/s"});
+  EXPECT_NEAR(back.velocity, -there.velocity, 1e-9);
+  EXPECT_NEAR(back.flyer_rear_after, -there.flyer_rear_after, 1e-9);
+  EXPECT_NEAR(back.opens, there.opens, 1e-15);
+}
+
+TEST(Prediction, NoPairWhereNothingClosesIn) {
+  const LoadedCase apart = load_case(cases + "flyer_al_cu", {"body.flyer.velocity.x=-1 m/s"});
+  EXPECT_TRUE(find_plate_pairs(apart.contents).empty());
+}
+
+}  // namespace
+}  // namespace recoil::app
