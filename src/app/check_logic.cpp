@@ -59,7 +59,7 @@ void check_thickness(LoadedCase& loaded) {
     loaded.found.warning(body.shape.place,
                          fmt::format("'{}' is {:.3g} cells thick; about {:.0f} are needed", body.name,
                                      t / c.mesh.finest, cells_needed),
-                         fmt::format("finest = \"{:.3g} mm\" gives {:.0f}, for {:.0f} times the time",
+                         fmt::format("finest = \"{:.3g} mm\" gives {:.0f}, for {:.2g} times the time",
                                      cure * 1e3, cells_needed, cost));
   }
 }

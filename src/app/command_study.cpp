@@ -37,6 +37,12 @@ std::vector<config::Expectation> numbers_of(const config::Case& c) {
   return all;
 }
 
+/// A value of summary.json, which has it in the unit of its expectation.
+double in_si(double value, const std::string& unit) {
+  return unit.empty() ? value
+                      : config::parse_any_quantity(fmt::format("{:.17g} {}", value, unit), unit).value;
+}
+
 /// The values of the expectations in a run's summary.json, NaN where there is none.
 std::vector<StudyValue> values_in(const fs::path& summary, const std::vector<config::Expectation>& expected) {
   std::ifstream file(summary);
@@ -47,7 +53,7 @@ std::vector<StudyValue> values_in(const fs::path& summary, const std::vector<con
     StudyValue v{nothing, one_sided ? nothing : e.value, one_sided ? e.value : nothing, e.unit};
     if (!all.is_discarded() && all.contains("expect") && all["expect"].contains(e.quantity)) {
       const auto& value = all["expect"][e.quantity]["value"];
-      if (value.is_number()) v.value = value.get<double>();
+      if (value.is_number()) v.value = in_si(value.get<double>(), e.unit);
     }
     values.push_back(v);
   }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double samples = 1e6;
 /// Wall time of one cell full of matter in one step with one thread [s], measured in 1d, 2d, 3d.
-constexpr double cell_seconds[] = {1.6e-6, 4e-6, 15e-6};
+constexpr double cell_seconds[] = {2e-6, 8e-6, 25e-6};
 
 template <int Dim>
 std::vector<double> sample(const config::Case& c) {

@@ -18,8 +18,7 @@ namespace recoil::app {
 
 namespace {
 
-/// Cells full of matter, all ranks together [1].
-template <int Dim>
+/// Cells full of matter at the start, on all processes together.
 double cells_with_matter(const config::Case& c) {
   double n = 0;
   const std::vector<double> cells = cells_of_bodies(c);
@@ -48,7 +47,8 @@ std::filesystem::path write_crash(const SimulationOptions& options, const State<
 void tell_news(Reporter& reporter, const std::vector<Event>& news) {
   for (const Event& e : news) {
     std::string place;
-    for (const double x : e.place) place += fmt::format("{}{:.4g}", place.empty() ? " at " : ", ", x * 1e3);
+    for (const double x : e.place)  // to a nanometre
+      place += fmt::format("{}{:.4g}", place.empty() ? " at " : ", ", std::round(x * 1e9) * 1e-6 + 0.0);
     if (!place.empty()) place += " mm";
     reporter.say(fmt::format("{:8.4g} us {} {}{}{}{}", e.time * 1e6, e.kind, e.bodies, place,
                              e.detail.empty() ? "" : "; ", e.detail));
@@ -64,12 +64,12 @@ void tell_timers(Reporter& reporter, const Timers<StepPart>& timers, double wall
   }
 }
 
-/// The loop over steps. @returns the length of the last one [s].
+/// The loop over steps. @param dt length of the last one [s], also after a failure.
 template <int Dim>
 void march(const config::Case& c, State<Dim>& state, Engine& engine, Recorder<Dim>& recorder,
            Reporter& reporter, double& dt) {
   const Stepping stepping{c.time.cfl, c.time.fixed_dt};
-  const double cells = cells_with_matter<Dim>(c);
+  const double cells = cells_with_matter(c);
   const double last = c.time.end * (1 - 1e-12);  // the sum of the steps may miss the end by round-off
   while (state.time < last) {
     dt = advance(state, stepping, c.time.end, engine);

@@ -47,10 +47,11 @@ StudyRow row_of(const StudyTable& table, std::size_t q) {
   }
   for (std::size_t i = 0; i < row.sizes.size(); ++i) {
     row.from_finest.push_back(std::abs(row.mean[i] - row.mean.back()) / std::abs(row.mean.back()));
-    const bool first = i == 0 || !(row.error[i] > 0) || !(row.error[i - 1] > 0);
-    row.order.push_back(first ? nothing
-                              : std::log(row.error[i - 1] / row.error[i]) /
-                                    std::log(row.sizes[i - 1] / row.sizes[i]));
+    const bool none =
+        i == 0 || row.quantity.starts_with("budget.") || !(row.error[i] > 0) || !(row.error[i - 1] > 0);
+    row.order.push_back(none ? nothing
+                             : std::log(row.error[i - 1] / row.error[i]) /
+                                   std::log(row.sizes[i - 1] / row.sizes[i]));
   }
   return row;
 }
@@ -107,6 +108,7 @@ std::string study_markdown(const StudyTable& table) {
       "method look better than that.\n\n" +
       heading(rows.front());
   for (const StudyRow& row : rows) {
+    if (std::isnan(row.reference)) continue;
     text += fmt::format("| {} | |", row.quantity);
     for (const double e : row.from_finest) text += ' ' + number(100 * e, 2) + " % |";
     text += " |\n";
