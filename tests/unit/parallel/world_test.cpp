@@ -1,0 +1,118 @@
+#include "parallel/world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "core/error.hpp"
+#include "session.hpp"
+
+namespace recoil::parallel {
+namespace {
+
+Bytes bytes_of(int value, std::size_t n) {
+  Bytes b;
+  for (std::size_t k = 0; k < n; ++k) pack(b, value + static_cast<int>(k));
+  return b;
+}
+
+TEST(Bytes, AreReadBackInTheirOrder) {
+  Bytes bytes;
+  const std::array<double, 3> values{1.5, -2, 1e300};
+  pack(bytes, 'x');
+  pack(bytes, values.data(), values.size());
+  pack(bytes, std::int64_t{-7});
+  Unpacker reader(bytes);
+  EXPECT_EQ(reader.read<char>(), 'x');
+  std::array<double, 3> back{};
+  EXPECT_FALSE(reader.empty());
+  reader.read(back.data(), back.size());
+  EXPECT_EQ(back, values);
+  EXPECT_EQ(reader.read<std::int64_t>(), -7);
+  EXPECT_TRUE(reader.empty());
+}
+
+TEST(Bytes, AShortMessageIsAnError) {
+  Bytes bytes;
+  pack(bytes, 1.0F);
+  Unpacker reader(bytes);
+  EXPECT_THROW(reader.read<double>(), InternalError);
+}
+
+TEST(World, OneProcess) {
+  if (several_processes()) GTEST_SKIP();
+  const World world;
+  EXPECT_EQ(world.rank(), 0);
+  EXPECT_EQ(world.size(), 1);
+  EXPECT_EQ(world.min(3), 3);
+  EXPECT_EQ(world.max(-3), -3);
+  EXPECT_TRUE(world.any(true));
+  EXPECT_FALSE(world.any(false));
+  std::array<std::int64_t, 2> counts{5, -1};
+  world.sum(counts);
+  EXPECT_EQ(counts[0], 5);
+  Bytes bytes = bytes_of(3, 4);
+  world.broadcast(bytes);
+  EXPECT_EQ(bytes, bytes_of(3, 4));
+  EXPECT_EQ(world.gather(bytes), std::vector<Bytes>{bytes});
+  EXPECT_TRUE(world.exchange({}, {}).empty());
+}
+
+/// Run by mpirun with several processes.
+struct MpiWorld : testing::Test {
+  void SetUp() override {
+    if (!several_processes()) GTEST_SKIP() << "for mpirun";
+    start_parallel();
+  }
+  World world;
+};
+
+TEST_F(MpiWorld, Reductions) {
+  const int n = world.size(), r = world.rank();
+  ASSERT_GT(n, 1);
+  EXPECT_EQ(world.min(10.0 - r), 11.0 - n);
+  EXPECT_EQ(world.max(r), n - 1);
+  EXPECT_TRUE(world.any(r == n - 1));
+  EXPECT_FALSE(world.any(false));
+  std::array<std::int64_t, 2> counts{1, r};
+  world.sum(counts);
+  EXPECT_EQ(counts[0], n);
+  EXPECT_EQ(counts[1], n * (n - 1) / 2);
+}
+
+TEST_F(MpiWorld, GatherAndBroadcast) {
+  const int n = world.size(), r = world.rank();
+  const auto all = world.gather(bytes_of(100 * r, static_cast<std::size_t>(r)));  // rank 0 sends nothing
+  if (r == 0) {
+    ASSERT_EQ(all.size(), static_cast<std::size_t>(n));
+    for (int q = 0; q < n; ++q)
+      EXPECT_EQ(all[static_cast<std::size_t>(q)], bytes_of(100 * q, static_cast<std::size_t>(q)));
+  } else {
+    EXPECT_TRUE(all.empty());
+  }
+  Bytes bytes = r == 0 ? bytes_of(9, 5) : Bytes{};
+  world.broadcast(bytes);
+  EXPECT_EQ(bytes, bytes_of(9, 5));
+}
+
+TEST_F(MpiWorld, EveryMessageArrivesWhereItShould) {
+  const int n = world.size(), r = world.rank();
+  std::vector<Message> out;
+  std::vector<int> from;
+  for (int q = 0; q < n; ++q) {
+    if (q == r) continue;
+    out.push_back({q, bytes_of(10 * r + q, 1 + static_cast<std::size_t>(1000 * q))});
+    from.push_back(q);
+  }
+  for (int round = 0; round < 3; ++round) {
+    const auto in = world.exchange(out, from);
+    ASSERT_EQ(in.size(), from.size());
+    for (std::size_t k = 0; k < in.size(); ++k) {
+      EXPECT_EQ(in[k].rank, from[k]);
+      EXPECT_EQ(in[k].bytes, bytes_of(10 * from[k] + r, 1 + static_cast<std::size_t>(1000 * r)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace recoil::parallel
