@@ -50,7 +50,8 @@ Clip<2> clip_square(const Corners<2>& v) {
     const auto &a = p[i], &b = p[(i + 1) % n];
     const double cross = a[0] * b[1] - b[0] * a[1];
     area += cross;
-    for (int d = 0; d < 2; ++d) moment[d] += (a[static_cast<std::size_t>(d)] + b[static_cast<std::size_t>(d)]) * cross;
+    for (int d = 0; d < 2; ++d)
+      moment[d] += (a[static_cast<std::size_t>(d)] + b[static_cast<std::size_t>(d)]) * cross;
   }
   c.fraction = 0.5 * area;
   c.centroid = c.fraction > 1e-10 ? moment * (1 / (6 * c.fraction)) : c.middle;
@@ -58,47 +59,36 @@ Clip<2> clip_square(const Corners<2>& v) {
   return c;
 }
 
-/// Mean and mean square of the crossings of all edges of a cube.
-void cross_edges(const Corners<3>& v, Clip<3>& c, Vec<3>& square) {
+/// Mean of the crossings of all edges of a cube.
+void cross_edges(const Corners<3>& v, Clip<3>& c) {
   for (int corner = 0; corner < 8; ++corner)
     for (int d = 0; d < 3; ++d) {
       const int other = corner | 1 << d;
       if (other == corner) continue;
       const double a = v[static_cast<std::size_t>(corner)], b = v[static_cast<std::size_t>(other)];
       if ((a < 0) == (b < 0)) continue;
-      for (int e = 0; e < 3; ++e) {
-        const double x = e == d ? a / (a - b) : static_cast<double>(corner >> e & 1);
-        c.middle[e] += x;
-        square[e] += x * x;
-      }
+      for (int e = 0; e < 3; ++e) c.middle[e] += e == d ? a / (a - b) : static_cast<double>(corner >> e & 1);
       ++c.crossings;
     }
-  if (c.crossings == 0) return;
-  c.middle *= 1.0 / c.crossings;
-  square *= 1.0 / c.crossings;
+  if (c.crossings > 0) c.middle *= 1.0 / c.crossings;
 }
 
-/// int x_i dV = 1/2 closed-int x_i^2 n_i dA, V = 1/3 closed-int x . n dA.
+/// With m on the surface and x - m along it, only the faces of the cube count in the divergence theorem:
+/// 3 V = closed-int (x - m) . n dA and int (4 x_i - m_i) dV = closed-int x_i (x - m) . n dA.
 Clip<3> clip_cube(const Corners<3>& v) {
   Clip<3> c;
-  Vec<3> square, closing, moment;
-  cross_edges(v, c, square);
+  cross_edges(v, c);
   double volume = 0;
+  Vec<3> moment;
   for (int d = 0; d < 3; ++d)
     for (int side = 0; side < 2; ++side) {
       const Clip<3> face = clip_face<3>(v, d, side);
-      const double flux = (side == 0 ? -1 : 1) * face.fraction;
-      closing[d] -= flux;
-      volume += flux * side;
-      moment[d] += 0.5 * flux * side;
+      const double flux = (side == 0 ? c.middle[d] : 1 - c.middle[d]) * face.fraction;
+      volume += flux / 3;
+      moment += flux * face.centroid;
     }
-  for (int d = 0; d < 3; ++d) {
-    // The mean square over a polygon is about a third as far above the square of the mean as over its corners.
-    const double mean_square = c.middle[d] * c.middle[d] + (square[d] - c.middle[d] * c.middle[d]) / 3;
-    volume += closing[d] * c.middle[d];
-    moment[d] += 0.5 * closing[d] * mean_square;
-  }
-  c.fraction = std::clamp(volume / 3, 0.0, 1.0);
+  moment = 0.25 * (volume * c.middle + moment);
+  c.fraction = std::clamp(volume, 0.0, 1.0);
   c.centroid = c.fraction > 1e-10 ? moment * (1 / c.fraction) : c.middle;
   for (int d = 0; d < 3; ++d) c.centroid[d] = std::clamp(c.centroid[d], 0.0, 1.0);
   return c;
