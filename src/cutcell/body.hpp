@@ -24,6 +24,8 @@ template <int Dim>
 struct BodyBlock {
   bool present = false;
   bool near_surface = false;  // some cell within the reach of the surface
+  Box<Dim> reach{};           // cells with phi < 5.5 dx or with matter: where surfaces and moves may matter in a step
+  Box<Dim> matter{};          // cells that the mid-step geometry or V gives to the body; may be empty
   std::vector<double> contents, contents_old;  // Q [Components::contents]
   std::vector<double> volume, volume_old;      // V
   std::vector<double> phi, phi_next;           // signed distance [m], negative inside; phi_next also holds mid-step
@@ -123,10 +125,22 @@ void enter_block(Body<Dim>& body, int slot, const Grid<Dim>& grid);
 template <int Dim>
 void leave_block(Body<Dim>& body, int slot);
 
+/// BodyBlock::reach holds the cells up to this far outside [cells].
+inline constexpr double reach_cells = 5.5;
 /// Beyond this distance phi is not kept: it is +far or -far there [cells].
 inline constexpr double far_cells = 8;
 /// Redistancing reaches this far [cells].
 inline constexpr double band_cells = 7.5;
+
+/// Grows a box to hold one more cell.
+template <int Dim>
+void extend(Box<Dim>& box, const Index<Dim>& i) {
+  const bool empty = box.size() == 0;
+  for (int d = 0; d < Dim; ++d) {
+    if (empty || i[d] < box.lo[d]) box.lo[d] = i[d];
+    if (empty || i[d] >= box.hi[d]) box.hi[d] = i[d] + 1;
+  }
+}
 
 /// Puts a block's updates in place.
 template <int Dim>

@@ -139,14 +139,16 @@ CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, cons
 }
 
 template <int Dim>
-void classify(const Grid<Dim>& grid, const Box<Dim>& cells, const double* node, Geometry<Dim>& g) {
-  const Box<Dim> nodes = node_box(cells), layout = grid.layout();
+void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, Geometry<Dim>& g) {
+  const Box<Dim> cells = w.inner(), nodes = node_box(cells);
   std::array<int, static_cast<std::size_t>(1 << Dim)> offset{};
   for (int c = 0; c < 1 << Dim; ++c)
     for (int d = 0; d < Dim; ++d) offset[static_cast<std::size_t>(c)] += (c >> d & 1) * nodes.stride(d);
   g.cuts.clear();
+  std::fill(g.kind.begin(), g.kind.end(), CellKind::empty);
+  std::fill(g.index.begin(), g.index.end(), -1);
   for_each(cells, [&](const Index<Dim>& i) {
-    const int cell = layout.at(i - cells.lo), at = nodes.at(i);
+    const int cell = w.cell(i), at = nodes.at(i);
     const auto k = static_cast<std::size_t>(cell);
     Corners<Dim> corner{};
     int negative = 0;
@@ -154,7 +156,6 @@ void classify(const Grid<Dim>& grid, const Box<Dim>& cells, const double* node, 
       corner[c] = node[at + offset[c]];
       negative += corner[c] < 0;
     }
-    g.index[k] = -1;
     g.kind[k] = negative == 0 ? CellKind::empty : negative == 1 << Dim ? CellKind::full : CellKind::cut;
     if (g.kind[k] != CellKind::cut) return;
     g.index[k] = static_cast<int>(g.cuts.size());
@@ -162,11 +163,32 @@ void classify(const Grid<Dim>& grid, const Box<Dim>& cells, const double* node, 
   });
 }
 
+/// Cells that are the body's by geometry or by volume.
+template <int Dim>
+Box<Dim> matter_box(const Window<Dim>& w, const BodyBlock<Dim>& b) {
+  Box<Dim> box{};
+  for_each(w.inner(), [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(w.cell(i));
+    if (b.geometry.kind[k] != CellKind::empty || b.volume[k] != 0) extend(box, i);
+  });
+  return box;
+}
+
 }  // namespace
 
 template <int Dim>
 void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, Scratch& scratch) {
-  const Window<Dim> w(state.mesh, slot, 1);
+  Box<Dim> reach{};
+  for (const Body<Dim>& body : state.bodies) {
+    const BodyBlock<Dim>& b = body.at(slot);
+    if (!b.present || !b.near_surface || b.reach.size() == 0) continue;
+    extend(reach, b.reach.lo);
+    Index<Dim> last = b.reach.hi;
+    for (int d = 0; d < Dim; ++d) --last[d];
+    extend(reach, last);
+  }
+  if (reach.size() == 0) return;
+  const Window<Dim> w(state.mesh, slot, 1, reach);
   std::vector<Nodes> nodes;
   for (int m = 0; m < state.count(); ++m) {
     const BodyBlock<Dim>& b = state.bodies[static_cast<std::size_t>(m)].at(slot);
@@ -177,7 +199,8 @@ void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, S
     for (int k = 0; k < n; ++k) share_node(nodes, k, state.grid().dx);
   for (const Nodes& m : nodes) {
     BodyBlock<Dim>& b = state.bodies[static_cast<std::size_t>(m.body)].at(slot);
-    classify(state.grid(), w.inner(), m.phi, when == PhiAt::midstep ? b.geometry : b.settled);
+    classify(state.grid(), w, m.phi, when == PhiAt::midstep ? b.geometry : b.settled);
+    if (when == PhiAt::midstep && !m.rigid) b.matter = matter_box(w, b);
   }
 }
 
@@ -193,12 +216,12 @@ double open_area(const Grid<Dim>& grid, const Geometry<Dim>& g, int cell, const 
 }
 
 template <int Dim>
-void open_areas(const Grid<Dim>& grid, const Box<Dim>& cells, const Geometry<Dim>& g, int d, double* out) {
+void open_areas(const Grid<Dim>& grid, const Window<Dim>& w, const Geometry<Dim>& g, int d, double* out) {
+  const Box<Dim> cells = w.inner();
   Box<Dim> faces = cells;
   ++faces.hi[d];
-  const Box<Dim> layout = grid.layout();
   for_each(cells, [&](const Index<Dim>& i) {
-    const int cell = layout.at(i - cells.lo);
+    const int cell = w.cell(i);
     const int at = faces.at(i);
     out[at] = open_area(grid, g, cell, i, d, 0);
     if (i[d] == cells.hi[d] - 1) out[at + faces.stride(d)] = open_area(grid, g, cell, i, d, 1);
@@ -246,7 +269,7 @@ double interpolate(const Grid<Dim>& grid, const Box<Dim>& window, const double* 
 #define RECOIL_INSTANTIATE(Dim)                                                                               \
   template void find_geometry<Dim>(State<Dim>&, int, Surfaces, PhiAt, Scratch&);                             \
   template double open_area<Dim>(const Grid<Dim>&, const Geometry<Dim>&, int, const Index<Dim>&, int, int);  \
-  template void open_areas<Dim>(const Grid<Dim>&, const Box<Dim>&, const Geometry<Dim>&, int, double*);      \
+  template void open_areas<Dim>(const Grid<Dim>&, const Window<Dim>&, const Geometry<Dim>&, int, double*);   \
   template Vec<Dim> phi_normal<Dim>(const Box<Dim>&, const double*, const Index<Dim>&, double);              \
   template double interpolate<Dim>(const Grid<Dim>&, const Box<Dim>&, const double*, const Vec<Dim>&);
 RECOIL_INSTANTIATE(1)

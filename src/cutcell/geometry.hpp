@@ -25,10 +25,10 @@ void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, S
 template <int Dim>
 double open_area(const Grid<Dim>& grid, const Geometry<Dim>& geometry, int cell, const Index<Dim>& i, int d, int side);
 
-/// Open areas of the low faces across axis d of all cells of the block and of the high faces of its last cells:
-/// out over the box block.cells grown by one at the high end of axis d.
+/// Open areas of the low faces across axis d of the inner cells of a window and of the high faces of their last ones:
+/// out over the inner box grown by one at the high end of axis d.
 template <int Dim>
-void open_areas(const Grid<Dim>& grid, const Box<Dim>& cells, const Geometry<Dim>& geometry, int d, double* out);
+void open_areas(const Grid<Dim>& grid, const Window<Dim>& window, const Geometry<Dim>& geometry, int d, double* out);
 
 /// -grad phi or grad phi as a unit vector at cell i of a window of phi (reach: one cell): central differences, or
 /// the steeper one-sided ones where those cancel (a ridge).

@@ -14,7 +14,7 @@ template <int Dim>
 class Pieces {
  public:
   Pieces(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
-      : grid(state.grid()), body_(body), window(state.mesh, slot, halo), scratch_(scratch) {
+      : grid(state.grid()), body_(body), window(state.mesh, slot, halo, body.at(slot).reach), scratch_(scratch) {
     const auto n = static_cast<std::size_t>(window.size());
     volume = scratch.take<double>(n);
     kind = scratch.take<CellKind>(n);
@@ -114,15 +114,15 @@ struct Transfer {
 /// Applies transfers between cells at most one apart: every own cell loses what it sends and gains what its
 /// neighbours send it, in a fixed order. `decide(i)` must depend on the old state only.
 template <int Dim, class Decide>
-void transfer(const Grid<Dim>& grid, const Pieces<Dim>& p, BodyBlock<Dim>& b, bool diagonal, Decide&& decide) {
-  const Box<Dim> inner = p.window.inner(), layout = grid.layout();
+void transfer(const Pieces<Dim>& p, BodyBlock<Dim>& b, bool diagonal, Decide&& decide) {
+  const Box<Dim> inner = p.window.inner();
   for_each(inner, [&](const Index<Dim>& i) {
     Update<Dim> u;
     bool changed = false;
     const auto begin = [&] {
       if (changed) return;
       changed = true;
-      u.cell = layout.at(i - inner.lo);
+      u.cell = p.window.cell(i);
       u.volume = p.volume[p.window.at(i)];
       u.contents = p.contents(i);
     };
@@ -183,9 +183,8 @@ void exchange_along_surface(const State<Dim>& state, Body<Dim>& body, int slot, 
   b.updates.clear();
   if (Dim == 1 || b.settled.cuts.empty()) return;  // a point has no tangent
   const Pieces<Dim> p(state, body, slot, 1, scratch);
-  const Box<Dim> layout = state.grid().layout();
   for (const CutCell<Dim>& cut : b.settled.cuts) {
-    const Index<Dim> i = p.window.inner().lo + layout.index(cut.cell);
+    const Index<Dim> i = p.window.index_of(cut.cell);
     Update<Dim> u{cut.cell, p.volume[p.window.at(i)], p.contents(i)};
     bool changed = false;
     for (int d = 0; d < Dim; ++d)
@@ -220,7 +219,7 @@ template <int Dim>
 void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
-  if (!b.near_surface) return;
+  if (!b.near_surface || b.reach.size() == 0) return;
   Pieces<Dim> p(state, body, slot, 2, scratch);
   const auto gives = [&](const Index<Dim>& i) {
     const int k = p.window.at(i);
@@ -230,7 +229,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& 
   for_each(p.window.inner().grown(1), [&](const Index<Dim>& i) { any = any || gives(i); });
   if (!any) return;
   p.gather_phi();
-  transfer<Dim>(state.grid(), p, b, false, [&](const Index<Dim>& i) {
+  transfer<Dim>(p, b, false, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
     if (!gives(i)) return t;
     t.to = p.neighbour(i, -1);
@@ -247,7 +246,7 @@ template <int Dim>
 void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
-  if (!b.near_surface) return;
+  if (!b.near_surface || b.reach.size() == 0) return;
   Pieces<Dim> p(state, body, slot, 3, scratch);
   const auto excess = [&](const Index<Dim>& i) {
     const int k = p.window.at(i);
@@ -258,7 +257,7 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& sc
   for_each(p.window.inner().grown(1), [&](const Index<Dim>& i) { any = any || excess(i) != 0; });
   if (!any) return;
   p.gather_phi();
-  transfer<Dim>(state.grid(), p, b, false, [&](const Index<Dim>& i) {
+  transfer<Dim>(p, b, false, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
     const double e = excess(i);
     if (e == 0) return t;
@@ -279,7 +278,7 @@ template <int Dim>
 void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
-  if (!b.near_surface) return;
+  if (!b.near_surface || b.reach.size() == 0) return;
   const Pieces<Dim> p(state, body, slot, 3, scratch);
   const auto beyond = [&](const Index<Dim>& i) {
     const int k = p.window.at(i);
@@ -341,7 +340,7 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
     const Transfer<Dim> t = decide(i);
     if (t.volume != 0) ++(t.any ? counters.volume_bounds : counters.volume_bounds_left);
   });
-  transfer<Dim>(state.grid(), p, b, true, decide);
+  transfer<Dim>(p, b, true, decide);
 }
 
 template <int Dim>
@@ -364,12 +363,12 @@ void average_bad_states(const State<Dim>& state, Body<Dim>& body, int slot, int 
     for_each(around(i), [&](const Index<Dim>& j) { count += (role[p.window.at(j)] & bad_state) != 0; });
     return count;
   };
-  const Box<Dim> inner = p.window.inner(), layout = state.grid().layout();
+  const Box<Dim> inner = p.window.inner();
   for_each(inner, [&](const Index<Dim>& i) {
     if (!holds(i)) return;
     const int count = windows_of(i);
     if (count == 0) return;
-    Update<Dim> u{layout.at(i - inner.lo), p.volume[p.window.at(i)], {}};
+    Update<Dim> u{p.window.cell(i), p.volume[p.window.at(i)], {}};
     for_each(around(i), [&](const Index<Dim>& s) {
       if ((role[p.window.at(s)] & bad_state) == 0) return;
       double volume = 0;

@@ -30,7 +30,7 @@ template <int Dim>
 class Redistribution {
  public:
   Redistribution(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch)
-      : state_(state), grid_(state.grid()), body_(body), window_(state.mesh, slot, reach), counters_(counters),
+      : state_(state), grid_(state.grid()), body_(body), window_(state.mesh, slot, reach, body.at(slot).matter), counters_(counters),
         scratch_(scratch), n_(static_cast<std::size_t>(window_.size())) {}
 
   void run(BodyBlock<Dim>& block) {
@@ -268,7 +268,7 @@ class Redistribution {
   }
 
   void write(BodyBlock<Dim>& block) {
-    const Box<Dim> inner = window_.inner(), layout = grid_.layout();
+    const Box<Dim> inner = window_.inner();
     // Lone pieces near enough to be sent to an own cell, or to leave one.
     int lone = 0;
     int* lone_cell = scratch_.take<int>(static_cast<std::size_t>(smalls_));
@@ -290,7 +290,7 @@ class Redistribution {
       for (int l = 0; l < lone; ++l) involved = involved || lone_home[l] == k;
       if (!involved) return;
       Update<Dim> u;
-      u.cell = layout.at(i - inner.lo);
+      u.cell = window_.cell(i);
       u.volume = volume_[k];
       u.contents = first_holder_[k + 1] > first_holder_[k] ? new_contents(k) : contents(k);
       for (int l = 0; l < lone; ++l) {
@@ -329,7 +329,7 @@ template <int Dim>
 void redistribute(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
-  if (b.near_surface) Redistribution<Dim>(state, body, slot, counters, scratch).run(b);
+  if (b.near_surface && b.matter.size() > 0) Redistribution<Dim>(state, body, slot, counters, scratch).run(b);
 }
 
 template void redistribute<1>(const State<1>&, Body<1>&, int, Counters&, Scratch&);

@@ -16,8 +16,8 @@ template <int Dim>
 struct Work {
   const Grid<Dim>& grid;
   Window<Dim> window;
-  Box<Dim> cells;               // of the block
-  std::size_t n = 0, wide = 0;  // cells of the block, of the window
+  Box<Dim> cells;               // of the block that hold matter
+  std::size_t n = 0, wide = 0;  // of those cells, of the window's
   double *primitive = nullptr, *impedance = nullptr, *stress = nullptr;
   std::uint8_t* role = nullptr;  // null where every cell has a value
   double *rate = nullptr;        // [contents]
@@ -133,7 +133,7 @@ void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Di
       for (std::size_t k = 0; k < w.wide; ++k) w.stress[k] = a[k] - p[k];
     }
   }
-  open_areas(w.grid, w.cells, geometry, Axis, area);
+  open_areas(w.grid, w.window, geometry, Axis, area);
 
   const std::ptrdiff_t step = w.window.stride(Axis);
   const int width = faces.extent(0);
@@ -205,11 +205,10 @@ void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Di
 template <int Dim>
 void add_walls(BodyBlock<Dim>& b, Work<Dim>& w, double dt) {
   using C = Components<Dim>;
-  const Box<Dim> layout = w.grid.layout();
   for (std::size_t m = 0; m < b.geometry.cuts.size(); ++m) {
     const int cell = b.geometry.cuts[m].cell;
     const Wall<Dim>& wall = b.walls[m];
-    const auto k = static_cast<std::size_t>(w.cells.at(w.cells.lo + layout.index(cell)));
+    const auto k = static_cast<std::size_t>(w.cells.at(w.window.index_of(cell)));
     for (int d = 0; d < Dim; ++d) {
       const auto row = static_cast<std::size_t>(d);
       w.rate[(C::u + row) * w.n + k] += wall.force[d];
@@ -284,10 +283,9 @@ void stress_rate(double g, double trace, const double* value, std::size_t stride
 template <int Dim>
 void add_sources(const Body<Dim>& body, int slot, double g, Work<Dim>& w) {
   const BodyBlock<Dim>& b = body.at(slot);
-  const Box<Dim> layout = w.grid.layout();
   for_each(w.cells, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(w.cells.at(i));
-    const int cell = layout.at(i - w.cells.lo);
+    const int cell = w.window.cell(i);
     const auto in_window = static_cast<std::size_t>(w.window.at(i));
     const double* value = w.primitive + in_window;
     std::size_t stride = w.wide;
@@ -314,13 +312,12 @@ void add_sources(const Body<Dim>& body, int slot, double g, Work<Dim>& w) {
 
 template <int Dim>
 void add_rates(BodyBlock<Dim>& b, const Work<Dim>& w, double dt) {
-  const Box<Dim> layout = w.grid.layout();
-  const auto all = static_cast<std::size_t>(layout.size());
+  const auto all = static_cast<std::size_t>(w.grid.layout().size());
   Box<Dim> rows = w.cells;
   rows.hi[0] = rows.lo[0] + 1;
   const int width = w.cells.extent(0);
   for_each(rows, [&](const Index<Dim>& r) {
-    const auto from = static_cast<std::size_t>(w.cells.at(r)), to = static_cast<std::size_t>(layout.at(r - w.cells.lo));
+    const auto from = static_cast<std::size_t>(w.cells.at(r)), to = static_cast<std::size_t>(w.window.cell(r));
     for (std::size_t c = 0; c < Components<Dim>::contents; ++c) {
       const double* rate = w.rate + c * w.n + from;
       double* q = b.contents.data() + c * all + to;
@@ -336,7 +333,7 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
   const double g = shear_modulus(body.material);
-  Work<Dim> w{state.grid(), Window<Dim>(state.mesh, slot, reach), state.mesh.block(slot).cells};
+  Work<Dim> w{state.grid(), Window<Dim>(state.mesh, slot, reach, b.matter), b.matter};
   w.n = static_cast<std::size_t>(w.cells.size());
   w.wide = static_cast<std::size_t>(w.window.size());
   gather_values(body, slot, eos, g, w, scratch);
@@ -357,6 +354,7 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
 template <int Dim>
 void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt, double share, Account<Dim>& edges,
                   Counters& counters, Scratch& scratch) {
+  if (body.at(slot).matter.size() == 0) return;
   std::visit(
       [&](const auto& eos) {
         if (has_strength(body.material.strength))

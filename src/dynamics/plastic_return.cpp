@@ -41,7 +41,7 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
   const auto n = static_cast<std::size_t>(layout.size());
   std::visit(
       [&](const auto& strength) {
-        for_each(cells, [&](const Index<Dim>& i) {
+        for_each(b.matter, [&](const Index<Dim>& i) {
           const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
           if (b.volume[k] != 0) return_cell<Dim>(strength, body.temperature, b.contents.data() + k, n, b.volume[k], dt);
         });

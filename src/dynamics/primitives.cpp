@@ -150,7 +150,9 @@ template <int Dim>
 std::int64_t mark_bad_states(const State<Dim>& state, Body<Dim>& body, int slot) {
   BodyBlock<Dim>& b = body.at(slot);
   std::int64_t count = 0;
-  for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+  const Index<Dim> lo = state.mesh.block(slot).cells.lo;
+  for_each(b.matter, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(state.grid().layout().at(i - lo));
     b.role[k] &= static_cast<std::uint8_t>(~bad_state);
     if (b.volume[k] <= least_judged * state.grid().full_volume(i)) return;
     if (!inadmissible<Dim>(body.material, contents_of(b, static_cast<int>(k)), b.volume[k])) return;

@@ -27,17 +27,24 @@ class Window {
     unsigned flips = 0;   // bit d: mirrored along axis d
   };
 
-  Window(const Mesh<Dim>& mesh, int slot, int halo) : mesh_(mesh), layout_(mesh.grid().layout()) {
+  Window(const Mesh<Dim>& mesh, int slot, int halo) : Window(mesh, slot, halo, mesh.block(slot).cells) {}
+
+  /// @param inner the part of the block that the window surrounds, not empty.
+  Window(const Mesh<Dim>& mesh, int slot, int halo, const Box<Dim>& inner)
+      : mesh_(mesh), layout_(mesh.grid().layout()), inner_(inner), box_(inner.grown(halo)) {
     const Block<Dim>& block = mesh.block(slot);
-    inner_ = block.cells;
-    box_ = inner_.grown(halo);
+    home_ = block.cells.lo;
     for (int d = 0; d < Dim; ++d) map_axis(block, d);
     slots_ = block.neighbour;
   }
 
-  /// Cells of the window and of the block, by global index.
+  /// Cells of the window, and those of the block that it surrounds, by global index.
   const Box<Dim>& box() const { return box_; }
   const Box<Dim>& inner() const { return inner_; }
+  /// Place of an own cell in the block's layout.
+  int cell(const Index<Dim>& i) const { return layout_.at(i - home_); }
+  /// Index of an own cell from its place in the block's layout.
+  Index<Dim> index_of(int cell) const { return home_ + layout_.index(cell); }
   int size() const { return box_.size(); }
   int at(const Index<Dim>& i) const { return box_.at(i); }
   int stride(int d) const { return box_.stride(d); }
@@ -196,6 +203,7 @@ class Window {
 
   const Mesh<Dim>& mesh_;
   Box<Dim> layout_, inner_, box_;
+  Index<Dim> home_{};
   std::array<std::array<Axis, longest>, Dim> axis_{};
   std::array<Run, longest> run_{};
   int runs_ = 0;

@@ -168,7 +168,7 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   b.donors.clear();
   b.walls.assign(b.geometry.cuts.size(), {});
   if (b.geometry.cuts.empty()) return;
-  const Window<Dim> w(state.mesh, slot, fit_reach);
+  const Window<Dim> w(state.mesh, slot, fit_reach, b.matter);
   auto* role = scratch.take<std::uint8_t>(static_cast<std::size_t>(w.size()));
   w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0}, Beyond::extend,
            role);

@@ -221,9 +221,9 @@ template <int Dim>
 void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.ghosts.clear();
-  if (!b.near_surface) return;
+  if (!b.near_surface || b.reach.size() == 0) return;
   const Grid<Dim>& grid = state.grid();
-  const Window<Dim> w(state.mesh, slot, wall_reach);
+  const Window<Dim> w(state.mesh, slot, wall_reach, b.reach);
   const auto n = static_cast<std::size_t>(w.size());
   double* phi = scratch.take<double>(n);
   auto* kind = scratch.take<CellKind>(n);
@@ -233,9 +233,8 @@ void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& 
   w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.kind.data() : nullptr; }, CellKind::empty,
            Beyond::extend, kind);
   w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1, Beyond::mirror, index);
-  const Box<Dim> layout = grid.layout();
   for_each(w.inner(), [&](const Index<Dim>& i) {
-    const int cell = layout.at(i - w.inner().lo);
+    const int cell = w.cell(i);
     if ((b.role[static_cast<std::size_t>(cell)] & regular) != 0 || !read_by_a_face(body, w, kind, i)) return;
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
     GhostCell<Dim> ghost;

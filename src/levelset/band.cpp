@@ -24,6 +24,10 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
     inside = inside || phi[k] < 0;
   }
   choice.present = choice.near_surface || (inside && !body.rigid);
+  for_each(w.inner(), [&](const Index<Dim>& i) {
+    if (phi[w.at(i)] < reach_cells * grid.dx || (b.present && !body.rigid && b.volume[static_cast<std::size_t>(w.cell(i))] != 0))
+      extend(choice.reach, i);
+  });
   if (!b.present || body.rigid) return choice;
   // Pieces that the level set has lost stay, and stay cut.
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
@@ -48,8 +52,12 @@ void apply_band(const State<Dim>& state, Body<Dim>& body, int slot, const BandCh
   BodyBlock<Dim>& b = body.at(slot);
   const bool was_near = b.near_surface;
   b.near_surface = choice.near_surface;
-  if (choice.near_surface || !was_near) return;
-  const CellKind kind = b.phi[0] < 0 ? CellKind::full : CellKind::empty;
+  b.reach = choice.near_surface ? choice.reach : state.mesh.block(slot).cells;
+  if (!choice.near_surface) b.matter = b.reach;
+  const bool void_here = choice.near_surface && choice.reach.size() == 0;
+  if ((choice.near_surface && !void_here) || (!choice.near_surface && !was_near)) return;
+  if (void_here) b.matter = {};
+  const CellKind kind = !void_here && b.phi[0] < 0 ? CellKind::full : CellKind::empty;
   for (Geometry<Dim>* g : {&b.geometry, &b.settled}) {
     std::fill(g->kind.begin(), g->kind.end(), kind);
     std::fill(g->index.begin(), g->index.end(), -1);
@@ -58,7 +66,8 @@ void apply_band(const State<Dim>& state, Body<Dim>& body, int slot, const BandCh
   b.walls.clear();
   b.ghosts.clear();
   std::fill(b.carrier.begin(), b.carrier.end(), 0.0);
-  std::fill(b.role.begin(), b.role.end(), static_cast<std::uint8_t>(donates | regular | valued));
+  const int role = kind == CellKind::full ? donates | regular | valued : 0;
+  std::fill(b.role.begin(), b.role.end(), static_cast<std::uint8_t>(role));
   std::fill(b.contact.begin(), b.contact.end(), 0U);
 }
 

@@ -10,6 +10,7 @@ namespace recoil {
 template <int Dim>
 struct BandChoice {
   bool present = false, near_surface = false;
+  Box<Dim> reach{};  // BodyBlock::reach
 };
 
 /// @param slot a block of this process, whether the body is there or not.

@@ -103,9 +103,8 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
     });
     std::copy(next, next + n, p);
   }
-  const Box<Dim> layout = state.grid().layout();
   double* out = body.at(slot).phi_next.data();
-  for_each(w.inner(), [&](const Index<Dim>& i) { out[layout.at(i - w.inner().lo)] = p[w.at(i)]; });
+  for_each(w.inner(), [&](const Index<Dim>& i) { out[w.cell(i)] = p[w.at(i)]; });
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                           \

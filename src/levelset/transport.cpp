@@ -65,10 +65,10 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
                           Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   std::fill(b.carrier.begin(), b.carrier.end(), 0.0);
-  if (!b.near_surface) return;
+  if (!b.near_surface || b.reach.size() == 0) return;
   const Grid<Dim>& grid = state.grid();
   const double dx = grid.dx, per_area = 1 / grid.dx_power(Dim - 1);
-  const Window<Dim> w(state.mesh, slot, surface_reach);
+  const Window<Dim> w(state.mesh, slot, surface_reach, b.reach);
   const auto n = static_cast<std::size_t>(w.size());
   double* phi = scratch.take<double>(n);
   int* index = scratch.take<int>(n);
@@ -76,11 +76,10 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
            Beyond::extend, phi);
   w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1, Beyond::mirror,
            index);
-  const Box<Dim> layout = grid.layout();
-  const auto cells = static_cast<std::size_t>(layout.size());
+  const auto cells = static_cast<std::size_t>(grid.layout().size());
   for_each(w.inner(), [&](const Index<Dim>& i) {
     if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
-    const auto k = static_cast<std::size_t>(layout.at(i - w.inner().lo));
+    const auto k = static_cast<std::size_t>(w.cell(i));
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
     double weights = 0;
     Vec<Dim> u;
@@ -116,16 +115,15 @@ template <int Dim>
 void carry(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.phi_next = b.phi;
-  if (!b.near_surface || !moves(b)) return;
+  if (!b.near_surface || b.reach.size() == 0 || !moves(b)) return;
   const Grid<Dim>& grid = state.grid();
-  const Window<Dim> w(state.mesh, slot, 3);
+  const Window<Dim> w(state.mesh, slot, 3, b.reach);
   double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
   w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx,
            Beyond::extend, phi);
-  const Box<Dim> layout = grid.layout();
-  const auto n = static_cast<std::size_t>(layout.size());
+  const auto n = static_cast<std::size_t>(grid.layout().size());
   for_each(w.inner(), [&](const Index<Dim>& i) {
-    const int k = layout.at(i - w.inner().lo);
+    const int k = w.cell(i);
     b.phi_next[static_cast<std::size_t>(k)] -= dt * advection(w.box(), phi, w.at(i), carrier_at(b, k, n), grid.dx);
   });
 }
@@ -133,16 +131,15 @@ void carry(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratc
 template <int Dim>
 void carry_again(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
-  if (!b.near_surface || !moves(b)) return;
+  if (!b.near_surface || b.reach.size() == 0 || !moves(b)) return;
   const Grid<Dim>& grid = state.grid();
   const double far = far_cells * grid.dx;
-  const Window<Dim> w(state.mesh, slot, 3);
+  const Window<Dim> w(state.mesh, slot, 3, b.reach);
   double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
   w.gather([&](int s) { return body.present(s) ? body.at(s).phi_next.data() : nullptr; }, far, Beyond::extend, phi);
-  const Box<Dim> layout = grid.layout();
-  const auto n = static_cast<std::size_t>(layout.size());
+  const auto n = static_cast<std::size_t>(grid.layout().size());
   for_each(w.inner(), [&](const Index<Dim>& i) {
-    const int cell = layout.at(i - w.inner().lo), k = w.at(i);
+    const int cell = w.cell(i), k = w.at(i);
     double& p = b.phi[static_cast<std::size_t>(cell)];
     const double again = phi[k] - dt * advection(w.box(), phi, k, carrier_at(b, cell, n), grid.dx);
     p = std::clamp(0.5 * (p + again), -far, far);
@@ -153,10 +150,10 @@ template <int Dim>
 void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double rate, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.phi_next = b.phi;
-  if (!b.near_surface) return;
+  if (!b.near_surface || b.reach.size() == 0) return;
   const Grid<Dim>& grid = state.grid();
   const double dx = grid.dx;
-  const Window<Dim> w(state.mesh, slot, surface_reach);
+  const Window<Dim> w(state.mesh, slot, surface_reach, b.reach);
   const auto n = static_cast<std::size_t>(w.size());
   double* phi = scratch.take<double>(n);
   int* index = scratch.take<int>(n);
@@ -164,7 +161,6 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
            phi);
   w.gather([&](int s) { return body.present(s) ? body.at(s).settled.index.data() : nullptr; }, -1, Beyond::mirror,
            index);
-  const Box<Dim> layout = grid.layout();
   for_each(w.inner(), [&](const Index<Dim>& i) {
     if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
@@ -177,7 +173,7 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
       sum += weight * body.at(w.source(j).slot).settled.cuts[static_cast<std::size_t>(at)].mismatch;
       weights += weight;
     });
-    if (weights > 1e-3) b.phi_next[static_cast<std::size_t>(layout.at(i - w.inner().lo))] -= rate * sum / weights;
+    if (weights > 1e-3) b.phi_next[static_cast<std::size_t>(w.cell(i))] -= rate * sum / weights;
   });
 }
 
