@@ -61,6 +61,19 @@ bool beside(const Extent& a, const Extent& b, std::size_t axis, int dim) {
   return true;
 }
 
+/// Half of the least width that two bodies share across the axis; a radius counts from the centre [m].
+double half_width(const Extent& a, const Extent& b, std::size_t axis, const config::Domain& domain) {
+  double least = endless;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(config::dimension(domain.geometry)); ++d) {
+    if (d == axis) continue;
+    const double lo = std::max({a.lo[d], b.lo[d], domain.lo[d]}),
+                 hi = std::min({a.hi[d], b.hi[d], domain.hi[d]});
+    const bool mirrored = domain.boundary[d][0] != config::Boundary::outflow && lo <= domain.lo[d];
+    least = std::min(least, mirrored ? hi - lo : 0.5 * (hi - lo));
+  }
+  return least;
+}
+
 /// Whether nothing lies between `from` and `to` along the axis over the width of `body`.
 bool nothing_between(const std::vector<Extent>& all, std::size_t body, std::size_t axis, int dim, double from,
                      double to) {
@@ -94,6 +107,7 @@ std::optional<PlatePair> pair_along(const Case& c, const std::vector<Extent>& al
   p.axis = static_cast<int>(axis);
   p.direction = low_flies ? 1 : -1;
   p.gap = std::max(gap, 0.0);
+  p.half_width = half_width(a, b, axis, c.domain);
   p.closing = closing;
   const double low_thickness = a.hi[axis] - a.lo[axis], high_thickness = b.hi[axis] - b.lo[axis];
   const bool low_free =
@@ -279,7 +293,10 @@ std::string describe(const PlatePrediction& p, const Case& c) {
   if (!p.target_rigid) text += shock_line(target, p.target_shock);
   if (p.shock_arrival > 0) text += rear_lines(p, target);
   text += parting_line(p, flyer);
-  if (c.domain.geometry != Geometry::line) text += "  all this until releases from the sides arrive\n";
+  const double release = std::max(p.flyer_shock.release_speed, p.target_shock.release_speed);
+  if (std::isfinite(p.pair.half_width))
+    text += fmt::format("  all this until releases from the sides arrive, in the middle about {:.3g} us\n",
+                        (p.contact + p.pair.half_width / release) * 1e6);
   return text;
 }
 

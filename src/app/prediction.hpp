@@ -17,7 +17,8 @@ struct PlatePair {
   double direction = 1;  // of the flyer's motion relative to the target, along the axis: 1 or -1
   double gap = 0;        // m, between the faces
   double closing = 0;    // m/s
-  double flyer_thickness = 0, target_thickness = 0;      // m; infinite for half-spaces
+  double flyer_thickness = 0, target_thickness = 0;  // m; infinite for half-spaces
+  double half_width = 0;                             // m, of what they share across the axis; 1d: infinite
   bool flyer_rear_free = true, target_rear_free = true;  // nothing touches the rear face
 };
 

@@ -1,0 +1,255 @@
+#!/usr/bin/python3
+"""The command line as its users and their scripts see it: messages, exit codes, files.
+
+Needs RECOIL_PROGRAM, the program, and RECOIL_DATA, the folder that holds cases/ and materials/.
+"""
+
+import csv
+import filecmp
+import json
+import os
+import pathlib
+import struct
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["RECOIL_PROGRAM"]
+DATA = pathlib.Path(os.environ["RECOIL_DATA"])
+FLYER = DATA / "cases" / "flyer_al_cu" / "case.toml"
+COARSE = ["--set", "mesh.finest=0.2mm"]  # runs in a fraction of a second
+
+
+def recoil(*words, **more):
+    """Runs the program; the result has returncode, stdout and stderr."""
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=500, check=False, **more)
+
+
+class Program(unittest.TestCase):
+    """A test with a scratch folder."""
+
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(self.scratch.cleanup)
+        self.folder = pathlib.Path(self.scratch.name)
+
+    def case(self, *changes):
+        """A copy of the flyer case without its expectations, with texts replaced; its file."""
+        text = FLYER.read_text()
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        file = self.folder / "case.toml"
+        file.write_text(text)
+        return file
+
+    def expect(self, result, code, *texts):
+        said = result.stdout + result.stderr
+        self.assertEqual(result.returncode, code, said)
+        for text in texts:
+            self.assertIn(text, said)
+
+
+class Usage(Program):
+    def test_misspelt_words_get_a_cure(self):
+        self.expect(recoil("chek", FLYER), 2, "no command 'chek'", "did you mean 'check'?")
+        self.expect(recoil("run", FLYER, "--forse"), 2, "did you mean '--force'?")
+        self.expect(recoil("material", "lits"), 2, "did you mean 'list'?")
+        self.expect(recoil("check", "flyer_al_ku"), 2, "did you mean 'flyer_al_cu'?")
+        self.expect(recoil("material", "show", "coper/seed"), 2, "did you mean 'copper/seed'?")
+        self.expect(recoil("explain", "finst"), 2, "did you mean")
+
+    def test_nothing_is_bad_usage_and_help_is_not(self):
+        self.expect(recoil(), 2, "recoil --help")
+        for words in (["--help"], ["run", "--help"], ["--version"]):
+            self.expect(recoil(*words), 0)
+        self.assertRegex(recoil("--version").stdout, r"^recoil \d+\.\d+")
+
+    def test_materials(self):
+        self.expect(recoil("material", "list"), 0, "copper/seed", "steel/hzb")
+        self.expect(recoil("material", "show", "copper/seed"), 0, 'kind = "johnson-cook"', "cite")
+
+    def test_a_shown_material_is_one_that_can_be_used(self):
+        shown = recoil("material", "show", "copper/seed").stdout
+        lines = [f"[material.mine.{line[1:]}" if line.startswith("[") else line for line in shown.splitlines()]
+        text = self.case(('"copper/seed"', '"mine"')).read_text() + "\n[material.mine]\n" + "\n".join(lines)
+        (self.folder / "mine.toml").write_text(text)
+        self.expect(recoil("check", self.folder / "mine.toml"), 0, "5.084 GPa")
+
+    def test_schema_and_explanations(self):
+        schema = json.loads(recoil("schema").stdout)
+        self.assertIn("finest", schema["properties"]["mesh"]["properties"])
+        material = schema["properties"]["material"]["additionalProperties"]["properties"]
+        self.assertIn("c0", material["eos"]["properties"])
+        self.expect(recoil("schema", "--markdown"), 0, "| `finest` |")
+        self.expect(recoil("explain", "mesh.finest"), 0, "length")
+        self.expect(recoil("explain", "material.any.strength.melting-temperature"), 0, "[K]")
+
+    def test_missing_library_is_an_error_of_the_environment(self):
+        empty = dict(os.environ, RECOIL_DATA=str(self.folder))
+        self.expect(recoil("material", "list", env=empty), 4, "RECOIL_DATA")
+
+
+class Check(Program):
+    def test_predicts_the_answer(self):
+        self.expect(recoil("check", FLYER), 0, "133.7 m/s, 5.084 GPa", "precursor", "opens about", "steps")
+
+    def test_json(self):
+        report = json.loads(recoil("check", FLYER, "--json").stdout)[0]
+        self.assertTrue(report["good"])
+        predicted = report["predicted"][0]
+        self.assertAlmostEqual(predicted["interface_stress"] * 1e-9, 5.0838, 3)
+        self.assertEqual(predicted["opens_by"], "flyer-release")
+        self.assertGreater(report["cost"]["steps"], 100)
+
+    def test_all_mistakes_in_one_pass_with_place_and_cure(self):
+        file = self.case(("velocity =", "velocty ="), ('finest = "0.05 mm"', 'finest = "2 us"'))
+        result = recoil("check", file)
+        self.expect(result, 2, "unknown key 'velocty' in [body.flyer]", "did you mean 'velocity'?",
+                    "'2 us' has dimension [time]", f"--> {file}:19:1")
+        report = json.loads(recoil("check", file, "--json").stdout)[0]
+        self.assertFalse(report["good"])
+        self.assertEqual([d["line"] for d in report["found"]], [11, 19])
+
+    def test_logic(self):
+        self.expect(recoil("check", FLYER, "--set", 'body.flyer.shape.x=["-2 mm", "0.5 mm"]'), 2, "overlap")
+        self.expect(recoil("check", FLYER, "--set", "gauge.rear.at.x=14mm"), 2, "not on the surface")
+        self.expect(recoil("check", FLYER, "--set", "mesh.finest=0.5mm"), 0, "4 cells thick", "0.1 mm")
+
+    def test_several_cases_and_a_bad_one(self):
+        bad = self.case(("[mesh]", "[mush]"))
+        self.expect(recoil("check", FLYER, bad), 2, "133.7 m/s", "not fit to run")
+
+    def test_picture(self):
+        png = self.folder / "case.png"
+        self.expect(recoil("check", FLYER, "--png", png), 0)
+        self.assert_png(png)
+
+    def assert_png(self, file):
+        data = file.read_bytes()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        width, height = struct.unpack(">II", data[16:24])
+        self.assertGreater(min(width, height), 200)
+
+
+class Run(Program):
+    def run_coarse(self, *words, case=None):
+        return recoil("run", case or self.case(), "-o", self.folder / "out", *COARSE, *words)
+
+    def test_leaves_what_is_promised(self):
+        self.expect(self.run_coarse(), 0, "opening flyer-target", "budget of total", "finished at 6 us")
+        out = self.folder / "out"
+        for name in ("case.toml", "case.resolved.toml", "run.log", "status.json", "summary.json", "history.csv",
+                     "events.csv", "gauges/rear.csv", "gauges/impact.csv", "fields"):
+            self.assertTrue((out / name).exists(), name)
+        self.assertEqual((out / "case.toml").read_text(), FLYER.read_text())
+        summary = json.loads((out / "summary.json").read_text())
+        self.assertEqual(summary["exit"], 0)
+        for drift in summary["budgets"]["total"].values():
+            self.assertLess(abs(drift), 1e-11)
+        with open(out / "gauges" / "rear.csv", newline="") as file:
+            rows = list(csv.reader(file))
+        self.assertEqual(rows[0][:2], ["time [us]", "velocity [m/s]"])
+        self.assertGreater(max(float(row[1]) for row in rows[1:]), 160)
+        with open(out / "events.csv", newline="") as file:
+            kinds = [row["event"] for row in csv.DictReader(file)]
+        self.assertEqual(kinds[:2], ["contact", "opening"])
+
+    def test_the_resolved_case_gives_the_same_run(self):
+        self.expect(self.run_coarse("--end", "1us"), 0)
+        resolved = self.folder / "out" / "case.resolved.toml"
+        self.assertIn('end = "1e-06 s"  # --set', resolved.read_text())
+        self.expect(recoil("run", resolved, "-o", self.folder / "again"), 0)
+        for name in ("gauges/rear.csv", "gauges/impact.csv", "history.csv", "events.csv"):
+            self.assertTrue(filecmp.cmp(self.folder / "out" / name, self.folder / "again" / name, shallow=False), name)
+
+    def test_a_finished_run_is_not_overwritten(self):
+        self.expect(self.run_coarse("--end", "0.1us"), 0)
+        before = (self.folder / "out" / "summary.json").stat().st_mtime_ns
+        self.expect(self.run_coarse("--end", "0.1us"), 2, "finished run", "--force")
+        self.assertEqual((self.folder / "out" / "summary.json").stat().st_mtime_ns, before)
+        self.expect(self.run_coarse("--end", "0.1us", "--force"), 0)
+
+    def test_foreign_files_are_left_alone(self):
+        (self.folder / "out").mkdir()
+        (self.folder / "out" / "thesis.tex").write_text("years of work")
+        self.expect(self.run_coarse("--force"), 2, "no run")
+        self.assertEqual((self.folder / "out" / "thesis.tex").read_text(), "years of work")
+
+    def test_a_failed_expectation_is_exit_5(self):
+        text = self.case().read_text() + '\n[expect]\n"gauge.rear.velocity.peak" = { at-most = "100 m/s" }\n'
+        (self.folder / "case.toml").write_text(text)
+        result = self.run_coarse("-q", case=self.folder / "case.toml")
+        self.expect(result, 5, "FAIL gauge.rear.velocity.peak")
+        summary = json.loads((self.folder / "out" / "summary.json").read_text())
+        self.assertEqual(summary["exit"], 5)
+        self.assertFalse(summary["expect"]["gauge.rear.velocity.peak"]["pass"])
+
+    def test_bad_input_leaves_no_folder(self):
+        self.expect(self.run_coarse("--set", "body.flyer.material=coper/seed"), 2, "copper/seed")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_quiet_is_quiet(self):
+        result = self.run_coarse("--end", "0.1us", "-q")
+        self.expect(result, 0)
+        self.assertEqual(result.stdout, "")
+
+    def test_plots(self):
+        self.expect(self.run_coarse(), 0)
+        out, png = self.folder / "out", self.folder / "picture.png"
+        reference = f"{FLYER.parent}/reference.csv:velocity"
+        for words in (["gauge.rear", "--reference", reference], ["gauge.impact", "traction"], ["rear", png],
+                      ["pressure"], ["velocity.x", "--at", "2 us"], ["stress.xx"]):
+            target = [] if png in words else ["-o", png]
+            self.expect(recoil("plot", out, *words, *target), 0, "picture.png")
+            self.assertEqual(png.read_bytes()[:4], b"\x89PNG")
+            png.unlink()
+        self.expect(recoil("plot", out, "gauge.raer"), 2, "did you mean 'rear'?")
+        self.expect(recoil("plot", out, "presure"), 2, "pressure")
+        self.expect(recoil("plot", out, "gauge.rear", "speed"), 2, "velocity")
+        self.expect(recoil("plot", self.folder / "nowhere", "pressure"), 2, "no folder")
+
+
+class Ranks(Program):
+    def test_processes_and_threads_give_the_same_bits(self):
+        runs = {"one": [], "two": ["-n", "2"], "threads": ["-j", "2"]}
+        for name, words in runs.items():
+            self.expect(recoil("run", self.case(), "-o", self.folder / name, *COARSE, "--end", "2us", *words), 0)
+        for name in ("two", "threads"):
+            for file in ("gauges/rear.csv", "gauges/impact.csv", "gauges/flyer.csv", "history.csv", "events.csv"):
+                self.assertTrue(filecmp.cmp(self.folder / "one" / file, self.folder / name / file, shallow=False),
+                                f"{name} {file}")
+
+    def test_exit_codes_come_through_mpirun(self):
+        self.expect(recoil("run", self.case(), "-n", "2", "--set", "mesh.finest=1us"), 2, "dimension [time]")
+        text = self.case().read_text() + '\n[expect]\n"gauge.rear.velocity.peak" = { at-least = "1 km/s" }\n'
+        (self.folder / "case.toml").write_text(text)
+        self.expect(recoil("run", self.folder / "case.toml", "-n", "2", "-o", self.folder / "out", *COARSE), 5, "FAIL")
+
+
+class Study(Program):
+    def test_tabulates_expectations_over_meshes(self):
+        expected = """
+[expect]
+"gauge.impact.traction.mean@0.2us..0.5us" = { value = "-5.091 GPa", within = "1 %" }
+"gauge.flyer.velocity.x.last" = { value = "-160.9 m/s", within = "1 %" }
+"""
+        (self.folder / "case.toml").write_text(self.case().read_text() + expected)
+        self.expect(recoil("study", self.folder / "case.toml", "--mesh", "0.4mm,0.2mm,0.1mm", "--offset", "0,0.37",
+                           "-o", self.folder / "study"), 0, "gauge.flyer.velocity.x.last")
+        with open(self.folder / "study" / "study.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 12)
+        errors = [abs(float(row["error"])) for row in rows
+                  if row["quantity"] == "gauge.flyer.velocity.x.last" and float(row["offset [1]"]) == 0]
+        self.assertGreater(errors[0], errors[1])
+        self.assertGreater(errors[1], errors[2])
+        self.assertIn("| order |", (self.folder / "study" / "study.md").read_text())
+
+    def test_mistakes_come_before_the_first_run(self):
+        self.expect(recoil("study", self.case(), "--mesh", "0.2mm,fine", "-o", self.folder / "study"), 2, "fine")
+        self.assertFalse((self.folder / "study").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
