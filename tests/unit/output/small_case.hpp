@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "../parallel/session.hpp"
 #include "config/document.hpp"
 #include "config/read_case.hpp"
 #include "material/material.hpp"
@@ -33,6 +34,7 @@ inline config::Case case_from(const std::string& text) {
 
 template <int Dim>
 State<Dim> state_of(const config::Case& c) {
+  start_parallel();
   return make_state<Dim>(c, std::vector<Material>(c.bodies.size(), hard_matter()), parallel::World{});
 }
 
