@@ -90,6 +90,25 @@ TEST(Prediction, MirroredMotionGivesTheMirroredAnswer) {
   EXPECT_NEAR(back.opens, there.opens, 1e-15);
 }
 
+// A plate of 60 mm radius: the release from its edge needs 60 mm / c_L to the middle.
+TEST(Prediction, TellsWhenTheSidesMatter) {
+  const LoadedCase loaded =
+      load_case(cases + "flyer_al_cu",
+                {"domain={ geometry = \"axisymmetric\", r = [\"0 mm\", "
+                 "\"80 mm\"], z = [\"-8 mm\", \"22 mm\"] }",
+                 "body.flyer.shape={ kind = \"cylinder\", radius = \"60 mm\", z = [\"-2 mm\", \"0 mm\"] }",
+                 "body.target.shape={ kind = \"cylinder\", radius = \"70 mm\", z = [\"0 mm\", \"15 mm\"] }",
+                 "body.flyer.velocity={ z = \"450 m/s\" }", "gauge.rear.at={ z = \"15 mm\" }"});
+  ASSERT_FALSE(loaded.found.has_errors()) << loaded.found.text();
+  const auto pairs = find_plate_pairs(loaded.contents);
+  ASSERT_EQ(pairs.size(), 1U);
+  EXPECT_NEAR(pairs[0].half_width, 0.06, 1e-12);
+  EXPECT_EQ(pairs[0].axis, 1);
+  const std::string text = describe(predict(pairs[0], loaded.contents, loaded.materials), loaded.contents);
+  EXPECT_NE(text.find("from the sides"), std::string::npos);
+  EXPECT_NE(text.find("133.7 m/s"), std::string::npos);
+}
+
 TEST(Prediction, NoPairWhereNothingClosesIn) {
   const LoadedCase apart = load_case(cases + "flyer_al_cu", {"body.flyer.velocity.x=-1 m/s"});
   EXPECT_TRUE(find_plate_pairs(apart.contents).empty());
