@@ -185,6 +185,13 @@ class Run(Program):
         self.assertEqual(summary["exit"], 5)
         self.assertFalse(summary["expect"]["gauge.rear.velocity.peak"]["pass"])
 
+    def test_a_numerical_failure_is_exit_3_and_leaves_what_is_known(self):
+        result = self.run_coarse("--set", "time.fixed-dt=0.5 us")  # 20 times the stable step
+        self.expect(result, 3, "what is known is in")
+        self.assertIn("last dt 500 ns", (self.folder / "out" / "crash" / "process_0.txt").read_text())
+        self.assertEqual(json.loads((self.folder / "out" / "status.json").read_text())["state"], "failed")
+        self.assertFalse((self.folder / "out" / "summary.json").exists())
+
     def test_bad_input_leaves_no_folder(self):
         self.expect(self.run_coarse("--set", "body.flyer.material=coper/seed"), 2, "copper/seed")
         self.assertFalse((self.folder / "out").exists())
