@@ -27,6 +27,13 @@ constexpr double frozen_band = 1.6;          // [dx] phi nearer to the surface i
 constexpr double travel_to_redistance = 10;  // [dx] that surfaces move between full redistancings
 constexpr double shortest_step = 1e-18;      // s
 
+/// 0 where a process has no blocks.
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double v : values) most = std::max(most, v);
+  return most;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -86,7 +93,7 @@ double Phases<Dim>::choose_length(const Stepping& stepping, double until) {
     double& f = fastest[static_cast<std::size_t>(slot)];
     f = std::max(f, fastest_signal(state_, body, slot, counters(slot)));
   });
-  const double signal = engine_.world.max(*std::max_element(fastest.begin(), fastest.end()));
+  const double signal = engine_.world.max(largest(fastest));
   const double stable = signal > 0 ? stepping.cfl / signal : until - state_.time;
   const double dt = std::min(stepping.fixed_dt.value_or(stable), until - state_.time);
   if (!(stable > shortest_step))
@@ -247,7 +254,7 @@ void Phases<Dim>::redistance(double dt) {
     for (const Wall<Dim>& w : body.at(slot).walls)
       fastest[static_cast<std::size_t>(slot)] = std::max(fastest[static_cast<std::size_t>(slot)], norm(w.mean_velocity));
   });
-  state_.travel += dt * engine_.world.max(*std::max_element(fastest.begin(), fastest.end()));
+  state_.travel += dt * engine_.world.max(largest(fastest));
   const bool all = state_.travel > travel_to_redistance * state_.grid().dx;
   if (all) state_.travel = 0;
   for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
