@@ -1,0 +1,162 @@
+#include "cutcell/redistribution.hpp"
+
+#include <cmath>
+#include <map>
+
+#include "../core/dimensions.hpp"
+#include "bodies.hpp"
+
+namespace recoil {
+namespace {
+
+template <class D>
+struct Redistributing : testing::Test {
+  static constexpr int dim = D::value;
+  using C = Components<dim>;
+  Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
+  Counters counters;
+
+  /// A ball whose pieces hold random multiples of one state.
+  State<dim> random_ball(const Grid<dim>& g, double scatter) const {
+    Vec<dim> middle = middle_of(g);
+    middle[0] += 0.07;
+    auto state = make_test_state<dim>(g, {ball(middle, 6.4 * g.dx)});
+    cut_all(state);
+    const auto one =
+        per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+    for_each_piece(state, 0, [&](BodyBlock<dim>& b, const Index<dim>& i, std::size_t k) {
+      Random random(static_cast<std::uint64_t>(g.domain().at(i)));
+      auto q = one;
+      for (double& c : q) c *= random(1 - scatter, 1 + scatter);
+      set_piece(b, k, volume_by_phi(g, b, i, k), q);
+    });
+    return state;
+  }
+  void run(State<dim>& state) {
+    update_all(state, 0,
+               [&](int s, Scratch& scratch) { redistribute(state, state.bodies[0], s, counters, scratch); });
+  }
+};
+TYPED_TEST_SUITE(Redistributing, Dimensions);
+
+TYPED_TEST(Redistributing, ConservesContentsAndLeavesVolumes) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->random_ball(this->grid, 0.4);
+  const auto before = totals(state, 0);
+  std::vector<double> volumes, contents;
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    volumes.push_back(b.volume[k]);
+    contents.push_back(b.contents[k]);
+  });
+  this->run(state);
+  const auto after = totals(state, 0);
+  for (std::size_t c = 0; c < after.size(); ++c) EXPECT_NEAR(after[c] / before[c], 1, 1e-13) << c;
+  std::size_t n = 0;
+  int changed = 0;
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    ASSERT_EQ(b.volume[k], volumes[n]);
+    changed += b.contents[k] != contents[n++];
+  });
+  EXPECT_GT(changed, dim == 1 ? 1 : 20);
+  EXPECT_EQ(this->counters.lone_pieces_moved, 0);
+}
+
+TYPED_TEST(Redistributing, AUniformStateStaysUniform) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->random_ball(this->grid, 0);
+  const auto one = per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+  this->run(state);
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    for (std::size_t c = 0; c < one.size(); ++c) {
+      const double exact = b.volume[k] * one[c];
+      ASSERT_NEAR(b.contents[c * b.volume.size() + k], exact, 2e-14 * std::abs(exact));
+    }
+  });
+}
+
+TYPED_TEST(Redistributing, WholePiecesFarFromSmallOnesAreLeftAlone) {
+  auto state = this->random_ball(this->grid, 0.4);
+  Scratch scratch;
+  for (int s = 0; s < state.mesh.local(); ++s) {
+    redistribute(state, state.bodies[0], s, this->counters, scratch);
+    const auto& b = state.bodies[0].at(s);
+    for (const auto& u : b.updates) {
+      const auto k = static_cast<std::size_t>(u.cell);
+      EXPECT_LT(std::abs(b.phi[k]), 3.5 * this->grid.dx);
+      EXPECT_GT(b.volume[k], 0);
+    }
+  }
+}
+
+/// The state of a tiny piece must not survive: its step would be unstable.
+TYPED_TEST(Redistributing, ATinyPieceTakesTheStateOfItsNeighbourhood) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->random_ball(this->grid, 0);
+  const auto one = per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+  auto wild = one;
+  for (double& c : wild) c *= -50;
+  const double dx = this->grid.dx;
+  int tiny = 0;
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    if (b.settled.kind[k] != CellKind::cut || b.volume[k] >= 0.5 * this->grid.full_volume(i)) return;
+    ++tiny;
+    set_piece(b, k, 1e-6 * this->grid.dx_power(dim) * (tiny % 3 == 0 ? -1 : 1), wild);
+  });
+  EXPECT_GT(tiny, 0);
+  this->run(state);
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    if (b.volume[k] == 0 || b.phi[k] < -3.5 * dx) return;
+    EXPECT_NEAR(b.contents[k] / b.volume[k] / one[0], 1, 5e-3);
+  });
+}
+
+TYPED_TEST(Redistributing, ALonePieceGoesToTheNearestWhole) {
+  constexpr int dim = TestFixture::dim;
+  Vec<dim> normal, point = this->grid.origin;
+  normal[0] = 1;
+  point[0] += 7 * this->grid.dx;
+  auto state = make_test_state<dim>(this->grid, {half_space(point, normal)});
+  cut_all(state);
+  const auto one = per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+  fill_body(state, 0, one);
+  Index<dim> lost;
+  for (int d = 0; d < dim; ++d) lost[d] = 9;  // two empty cells between, and the border of a block
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    if (i == lost) set_piece(b, k, 0.01 * this->grid.dx_power(dim), one);
+  });
+  const auto before = totals(state, 0);
+  this->run(state);
+  EXPECT_EQ(this->counters.lone_pieces_moved, 1);
+  EXPECT_EQ(this->counters.unmerged_pieces, 1);
+  const auto after = totals(state, 0);
+  for (std::size_t c = 0; c < after.size(); ++c) EXPECT_NEAR(after[c] / before[c], 1, 1e-14);
+  Index<dim> home = lost;
+  home[0] = 6;
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    if (i == lost) {
+      EXPECT_EQ(b.volume[k], 0);
+      EXPECT_EQ(b.contents[k], 0);
+    } else if (i == home) {
+      EXPECT_NEAR(b.volume[k] / this->grid.dx_power(dim), 1.01, 1e-5);
+    }
+  });
+}
+
+TYPED_TEST(Redistributing, BlocksDoNotMatter) {
+  constexpr int dim = TestFixture::dim;
+  std::vector<std::map<int, std::vector<double>>> found(2);
+  for (const int block : {10, 22}) {
+    const auto grid = make_test_grid<dim>(20, block, Edge::outflow);
+    auto state = this->random_ball(grid, 0.4);
+    this->run(state);
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      auto& values = found[block == 10 ? 0 : 1][grid.domain().at(i)];
+      for (std::size_t c = 0; c < Components<dim>::contents; ++c)
+        values.push_back(b.contents[c * b.volume.size() + k]);
+    });
+  }
+  EXPECT_EQ(found[0], found[1]);
+}
+
+}  // namespace
+}  // namespace recoil
