@@ -1,0 +1,311 @@
+#include "cutcell/moves.hpp"
+
+#include <cmath>
+
+#include "../core/dimensions.hpp"
+#include "bodies.hpp"
+
+namespace recoil {
+namespace {
+
+template <class D>
+struct Moves : testing::Test {
+  static constexpr int dim = D::value;
+  Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
+  const Contents<dim> one = per_volume<dim>(samples::copper(), some_primitives<dim>(samples::copper()));
+  Counters counters;
+
+  double whole() const { return grid.dx_power(dim); }
+  State<dim> ball_of(double scatter) const {
+    Vec<dim> middle = middle_of(grid);
+    middle[0] += 0.07;
+    return filled({ball(middle, 6.4 * grid.dx)}, scatter);
+  }
+  /// Matter below the plane x_0 = `cells` dx, within the domain's edges along the other axes.
+  State<dim> slab(double cells) const {
+    Vec<dim> normal, point = grid.origin;
+    normal[0] = 1;
+    point[0] += cells * grid.dx;
+    return filled({half_space(point, normal)}, 0);
+  }
+  State<dim> filled(const std::vector<Distance<dim>>& shapes, double scatter) const {
+    auto state = make_test_state<dim>(grid, shapes);
+    cut_all(state);
+    Random random(4);
+    for_each_piece(state, 0, [&](BodyBlock<dim>& b, const Index<dim>& i, std::size_t k) {
+      auto q = one;
+      for (double& c : q) c *= random(1 - scatter, 1 + scatter);
+      double v = volume_by_phi(grid, b, i, k);
+      if (b.settled.kind[k] == CellKind::cut) v += 0.3 * scatter * random(-1, 1) * whole();
+      set_piece(b, k, v, q);
+    });
+    return state;
+  }
+
+  template <class F>
+  void run(State<dim>& state, F&& f) {
+    const auto before = totals(state, 0);
+    update_all(state, 0, f);
+    const auto after = totals(state, 0);
+    for (std::size_t c = 0; c < after.size(); ++c) ASSERT_NEAR(after[c] / before[c], 1, 1e-13) << c;
+  }
+  /// Every piece is still in the one state that all started from.
+  void expect_uniform(State<dim>& state) const {
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+      for (std::size_t c = 0; c < one.size(); ++c)
+        ASSERT_NEAR(b.contents[c * b.volume.size() + k], b.volume[k] * one[c],
+                    1e-14 * whole() * std::abs(one[c]));
+    });
+  }
+  static Index<dim> cell(int first, int others) {
+    Index<dim> i;
+    for (int d = 0; d < dim; ++d) i[d] = others;
+    i[0] = first;
+    return i;
+  }
+  double& volume(State<dim>& state, const Index<dim>& at) const {
+    double* found = nullptr;
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      if (i == at) found = &b.volume[k];
+    });
+    return *found;
+  }
+  void put(State<dim>& state, const Index<dim>& at, double v, const Contents<dim>& q) const {
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      if (i == at) set_piece(b, k, v, q);
+    });
+  }
+};
+TYPED_TEST_SUITE(Moves, Dimensions);
+
+TYPED_TEST(Moves, TheExchangeAlongASurfaceConserves) {
+  auto state = this->ball_of(0.4);
+  this->run(state,
+            [&](int s, Scratch& scratch) { exchange_along_surface(state, state.bodies[0], s, scratch); });
+  auto uniform = this->ball_of(0);
+  Random random(2);
+  for_each_piece(uniform, 0, [&](auto& b, const auto&, std::size_t k) {
+    if (b.settled.kind[k] != CellKind::cut) return;
+    set_piece(b, k, b.volume[k] + 0.2 * random(0, 1) * this->whole(), this->one);
+  });
+  this->run(uniform,
+            [&](int s, Scratch& scratch) { exchange_along_surface(uniform, uniform.bodies[0], s, scratch); });
+  this->expect_uniform(uniform);
+}
+
+/// It evens out h = (V - V_phi)/A: the sum of A h^2 falls, and nothing moves where h is the same everywhere.
+TYPED_TEST(Moves, TheExchangeAlongASurfaceEvensOutWhatPhiLagsBehind) {
+  constexpr int dim = TestFixture::dim;
+  const double least = 0.02 * this->grid.dx_power(dim - 1);
+  const auto sum = [&](State<dim>& state) {
+    double h2 = 0;
+    for_each_piece(state, 0, [&](auto& b, const auto&, std::size_t k) {
+      if (b.settled.kind[k] != CellKind::cut) return;
+      const auto& cut = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])];
+      const double d = b.volume[k] - cut.volume;
+      h2 += d * d / std::max(norm(cut.surface), least);
+    });
+    return h2;
+  };
+  auto state = this->ball_of(0.4);
+  const double before = sum(state);
+  const auto exchange = [&](State<dim>& s) {
+    update_all(s, 0,
+               [&](int slot, Scratch& scratch) { exchange_along_surface(s, s.bodies[0], slot, scratch); });
+  };
+  exchange(state);
+  if (dim == 1) {
+    EXPECT_EQ(sum(state), before);  // points have no tangent
+  } else {
+    EXPECT_LT(sum(state), 0.97 * before);
+    EXPECT_GT(sum(state), 0.7 * before);
+  }
+  auto even = this->ball_of(0);
+  for_each_piece(even, 0, [&](auto& b, const auto&, std::size_t k) {
+    if (b.settled.kind[k] != CellKind::cut) return;
+    const auto& cut = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])];
+    set_piece(b, k, cut.volume + 0.1 * this->grid.dx * std::max(norm(cut.surface), least), this->one);
+  });
+  std::vector<double> volumes;
+  for_each_piece(even, 0, [&](auto& b, const auto&, std::size_t k) { volumes.push_back(b.volume[k]); });
+  exchange(even);
+  std::size_t n = 0;
+  for_each_piece(even, 0, [&](auto& b, const auto&, std::size_t k) {
+    ASSERT_NEAR(b.volume[k], volumes[n++], 1e-15 * this->whole());
+  });
+}
+
+TYPED_TEST(Moves, TheMismatchIsAnExcessOverTheArea) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->slab(7.4);
+  const auto at = TestFixture::cell(7, 9);
+  this->volume(state, at) += 0.1 * this->whole();
+  this->volume(state, TestFixture::cell(7, 8)) -= 0.05 * this->whole();
+  for (int s = 0; s < state.mesh.local(); ++s) measure_mismatch(state, state.bodies[0], s);
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    if (b.settled.kind[k] != CellKind::cut) return;
+    const double h = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])].mismatch / this->grid.dx;
+    const double expected = dim == 1 ? 0.05 : i == at ? 0.1 : i == TestFixture::cell(7, 8) ? -0.05 : 0;
+    EXPECT_NEAR(h, expected, 1e-12);
+  });
+}
+
+TYPED_TEST(Moves, WhatLiesOutsideGoesInwards) {
+  auto state = this->slab(7.4);
+  const auto outside = TestFixture::cell(8, 9), inwards = TestFixture::cell(7, 9);
+  this->put(state, outside, 0.05 * this->whole(), this->one);
+  this->run(state, [&](int s, Scratch& scratch) { empty_outside(state, state.bodies[0], s, scratch); });
+  EXPECT_EQ(this->volume(state, outside), 0);
+  EXPECT_NEAR(this->volume(state, inwards) / this->whole(), 0.45, 1e-12);
+  this->expect_uniform(state);
+}
+
+TYPED_TEST(Moves, FullCellsPassOnTheirExcess) {
+  auto state = this->slab(7.4);
+  const auto over = TestFixture::cell(6, 9), outwards = TestFixture::cell(7, 9);
+  this->put(state, over, 1.02 * this->whole(), this->one);
+  this->run(state, [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, scratch); });
+  EXPECT_NEAR(this->volume(state, over) / this->whole(), 1, 1e-15);
+  EXPECT_NEAR(this->volume(state, outwards) / this->whole(), 0.42, 1e-12);
+  this->expect_uniform(state);
+}
+
+TYPED_TEST(Moves, FullCellsTakeWhatTheyLack) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->slab(7.4);
+  const auto under = TestFixture::cell(6, 9), outwards = TestFixture::cell(7, 9);
+  auto other = this->one;
+  for (double& c : other) c *= 1.1;
+  this->put(state, under, 0.95 * this->whole(), this->one);
+  this->put(state, outwards, 0.4 * this->whole(), other);
+  this->run(state, [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, scratch); });
+  EXPECT_NEAR(this->volume(state, under) / this->whole(), 1, 1e-15);
+  EXPECT_NEAR(this->volume(state, outwards) / this->whole(), 0.35, 1e-12);
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    // The volume comes with the state of the neighbour, which holds enough.
+    if (i == under) {
+      EXPECT_NEAR(b.contents[k] / (this->whole() * this->one[0]), 0.95 + 0.05 * 1.1, 1e-13);
+    } else if (i == outwards) {
+      EXPECT_NEAR(b.contents[k] / b.volume[k] / other[0], 1, 1e-13);
+    }
+  });
+}
+
+TYPED_TEST(Moves, AThinBodyKeepsADeficitThatItsNeighbourCannotFill) {
+  constexpr int dim = TestFixture::dim;
+  Vec<dim> normal, point = this->grid.origin;
+  normal[0] = 1;
+  point[0] += 6.95 * this->grid.dx;
+  Vec<dim> other = point;
+  other[0] -= 1.3 * this->grid.dx;
+  const auto right = half_space<dim>(point, normal), left = half_space<dim>(other, -normal);
+  auto state = this->filled({[&](const Vec<dim>& x) { return std::max(left(x), right(x)); }}, 0);
+  const auto at = TestFixture::cell(6, 9);  // the geometry shows more than V holds
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    if (i[0] == 5 || i[0] == 7) set_piece(b, k, 0.05 * this->whole(), this->one);
+    if (i[0] != 6) return;
+    b.settled.kind[k] = CellKind::full;
+    set_piece(b, k, 0.6 * this->whole(), this->one);
+  });
+  this->run(state, [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, scratch); });
+  EXPECT_EQ(this->volume(state, at), 0.6 * this->whole());
+}
+
+TYPED_TEST(Moves, VolumesBeyondTheirBoundsMove) {
+  auto state = this->slab(7.4);
+  const auto drained = TestFixture::cell(7, 9), inwards = TestFixture::cell(6, 9);
+  this->put(state, drained, -0.2 * this->whole(), this->one);
+  this->run(state, [&](int s, Scratch& scratch) {
+    bound_volumes(state, state.bodies[0], s, this->counters, scratch);
+  });
+  EXPECT_EQ(this->counters.volume_bounds, 1);
+  EXPECT_EQ(this->volume(state, drained), 0);
+  EXPECT_NEAR(this->volume(state, inwards) / this->whole(), 0.8, 1e-12);
+  this->expect_uniform(state);
+}
+
+TYPED_TEST(Moves, ThickBodiesMayOvershootALittle) {
+  auto state = this->slab(7.9);
+  const auto drained = TestFixture::cell(7, 9);
+  this->put(state, drained, -0.05 * this->whole(), this->one);
+  this->run(state, [&](int s, Scratch& scratch) {
+    bound_volumes(state, state.bodies[0], s, this->counters, scratch);
+  });
+  EXPECT_EQ(this->counters.volume_bounds + this->counters.volume_bounds_left, 0);
+  EXPECT_EQ(this->volume(state, drained), -0.05 * this->whole());
+}
+
+TYPED_TEST(Moves, ExcessGoesToTheEmptiestCutNeighbour) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->slab(7.4);
+  const auto swollen = TestFixture::cell(7, 9);
+  this->put(state, swollen, 1.2 * this->whole(), this->one);
+  auto emptiest = swollen;
+  --emptiest[dim - 1];
+  if (dim > 1) this->put(state, emptiest, 0.3 * this->whole(), this->one);
+  this->run(state, [&](int s, Scratch& scratch) {
+    bound_volumes(state, state.bodies[0], s, this->counters, scratch);
+  });
+  if (dim == 1) {
+    EXPECT_EQ(this->counters.volume_bounds_left, 1);  // no other cut cell
+    return;
+  }
+  EXPECT_NEAR(this->volume(state, swollen) / this->whole(), 1, 1e-12);
+  EXPECT_NEAR(this->volume(state, emptiest) / this->whole(), 0.5, 1e-12);
+  this->expect_uniform(state);
+}
+
+TYPED_TEST(Moves, BadStatesAreAveragedWithTheirSurroundings) {
+  constexpr int dim = TestFixture::dim;
+  for (const int width : {1, 2, 3}) {
+    auto state = this->ball_of(0.4);
+    const auto a = TestFixture::cell(9, 9), b = TestFixture::cell(9 + width, 9);  // on both sides of a border
+    for_each_piece(state, 0, [&](auto& block, const Index<dim>& i, std::size_t k) {
+      if (i == a || i == b) block.role[k] |= bad_state;
+    });
+    std::vector<double> before;
+    for_each_piece(state, 0, [&](auto& block, const Index<dim>&, std::size_t k) {
+      before.push_back(block.contents[k]);
+    });
+    this->run(state, [&](int s, Scratch& scratch) {
+      average_bad_states(state, state.bodies[0], s, width, scratch);
+    });
+    double lowest = 1e300, highest = -1e300;
+    std::size_t n = 0;
+    for_each_piece(state, 0, [&](auto& block, const Index<dim>& i, std::size_t k) {
+      const double old = before[n++];
+      bool near_a = true, near_b = true;
+      for (int d = 0; d < dim; ++d) {
+        near_a = near_a && std::abs(i[d] - a[d]) <= width;
+        near_b = near_b && std::abs(i[d] - b[d]) <= width;
+      }
+      if (!near_a && !near_b) {
+        ASSERT_EQ(block.contents[k], old);
+      }
+      if (!near_a || near_b || block.volume[k] == 0) return;
+      lowest = std::min(lowest, block.contents[k] / block.volume[k]);
+      highest = std::max(highest, block.contents[k] / block.volume[k]);
+    });
+    EXPECT_NEAR(lowest / highest, 1, 1e-13);  // one state for all that only one window holds
+  }
+}
+
+TYPED_TEST(Moves, NothingMovesInASettledBody) {
+  auto state = this->ball_of(0);
+  std::vector<double> before = totals(state, 0);
+  update_all(state, 0, [&](int s, Scratch& scratch) {
+    auto& body = state.bodies[0];
+    empty_outside(state, body, s, scratch);
+    EXPECT_TRUE(body.at(s).updates.empty());
+    fill_inside(state, body, s, scratch);
+    EXPECT_TRUE(body.at(s).updates.empty());
+    bound_volumes(state, body, s, this->counters, scratch);
+    EXPECT_TRUE(body.at(s).updates.empty());
+    average_bad_states(state, body, s, 1, scratch);
+    EXPECT_TRUE(body.at(s).updates.empty());
+  });
+  EXPECT_EQ(totals(state, 0), before);
+}
+
+}  // namespace
+}  // namespace recoil
