@@ -1,0 +1,193 @@
+#include "levelset/transport.hpp"
+
+#include <cmath>
+
+#include "../core/dimensions.hpp"
+#include "../cutcell/bodies.hpp"
+
+namespace recoil {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+template <class D>
+struct Carrying : testing::Test {
+  static constexpr int dim = D::value;
+  static Vec<dim> velocity() {
+    Vec<dim> u;
+    for (int d = 0; d < dim; ++d) u[d] = 100 - 170 * d;
+    return u;
+  }
+  static void set_carrier(State<dim>& state, const Vec<dim>& u) {
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+      for (int d = 0; d < dim; ++d) b.carrier[static_cast<std::size_t>(d) * b.phi.size() + k] = u[d];
+    });
+  }
+  /// Heun's rule over dt.
+  static void step(State<dim>& state, double dt) {
+    Scratch scratch;
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      const Scratch::Frame frame(scratch);
+      carry(state, state.bodies[0], s, dt, scratch);
+    }
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      const Scratch::Frame frame(scratch);
+      carry_again(state, state.bodies[0], s, dt, scratch);
+    }
+  }
+  static double length(const Grid<dim>& grid) {
+    double sum = 0;
+    for (int d = 0; d < dim; ++d) sum += std::abs(velocity()[d]);
+    return grid.dx / sum;
+  }
+};
+TYPED_TEST_SUITE(Carrying, Dimensions);
+
+TYPED_TEST(Carrying, APlaneMovesExactly) {
+  constexpr int dim = TestFixture::dim;
+  const auto grid = make_test_grid<dim>(20, 10, Edge::outflow);
+  Random random(3);
+  const auto n = unit(random.vector<dim>(-1, 1));
+  const auto u = TestFixture::velocity();
+  auto state = make_test_state<dim>(grid, {half_space(middle_of(grid), n)});
+  TestFixture::set_carrier(state, u);
+  const double dt = 0.7 * TestFixture::length(grid);
+  TestFixture::step(state, dt);
+  const Box<dim> inner = grid.domain().grown(-7);  // away from open edges, where phi is constant beyond
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    const double exact = dot(grid.centre(i) - middle_of(grid) - dt * u, n);
+    if (!inner.contains(i) || std::abs(exact) > 4 * grid.dx) return;
+    ASSERT_NEAR(b.phi[k], exact, 1e-9);
+  });
+}
+
+TYPED_TEST(Carrying, ABallMovesAsAWhole) {
+  constexpr int dim = TestFixture::dim;
+  const auto grid = make_test_grid<dim>(26, 13, Edge::outflow);
+  const double dx = grid.dx, radius = 7.3 * dx;
+  const auto u = TestFixture::velocity();
+  auto state = make_test_state<dim>(grid, {ball(middle_of(grid), radius)});
+  TestFixture::set_carrier(state, u);
+  const double dt = 0.5 * TestFixture::length(grid);
+  for (int n = 0; n < 3; ++n) TestFixture::step(state, dt);
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    const double exact = norm(grid.centre(i) - middle_of(grid) - 3 * dt * u) - radius;
+    if (std::abs(exact) > 2 * dx) return;
+    ASSERT_NEAR(b.phi[k], exact, 3e-3 * dx);
+  });
+}
+
+/// The mean error of u . grad phi for a smooth phi falls with the fifth power of dx.
+TYPED_TEST(Carrying, DerivativesAreOfFifthOrder) {
+  constexpr int dim = TestFixture::dim;
+  const auto u = TestFixture::velocity();
+  std::vector<double> error;
+  for (const int cells : {16, 32}) {
+    auto grid = make_test_grid<dim>(cells, 16, Edge::periodic, true);
+    grid.dx = 4.0 / cells;
+    const double wave = 2 * pi / 4;
+    const auto smooth = [&](const Vec<dim>& x) {
+      double sum = 0;
+      for (int d = 0; d < dim; ++d) sum += 0.1 * std::sin(wave * x[d] + 0.4 * d);
+      return sum;
+    };
+    auto state = make_test_state<dim>(grid, {smooth});
+    TestFixture::set_carrier(state, u);
+    Scratch scratch;
+    for (int s = 0; s < state.mesh.local(); ++s) carry(state, state.bodies[0], s, 1e-3, scratch);
+    double sum = 0;
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      double exact = 0;
+      for (int d = 0; d < dim; ++d) exact += u[d] * 0.1 * wave * std::cos(wave * grid.centre(i)[d] + 0.4 * d);
+      sum += std::abs((b.phi[k] - b.phi_next[k]) / 1e-3 - exact);
+    });
+    error.push_back(sum / grid.domain().size());
+  }
+  EXPECT_GT(error[0] / error[1], 22);
+}
+
+TYPED_TEST(Carrying, NothingMovesAtRest) {
+  constexpr int dim = TestFixture::dim;
+  const auto grid = make_test_grid<dim>(20, 10, Edge::outflow);
+  auto state = make_test_state<dim>(grid, {ball(middle_of(grid), 5.1 * grid.dx)});
+  const auto before = state.bodies[0].blocks[0].phi;
+  TestFixture::step(state, 1);
+  EXPECT_EQ(state.bodies[0].blocks[0].phi, before);
+}
+
+template <class D>
+struct Following : testing::Test {
+  static constexpr int dim = D::value;
+  Grid<dim> grid = make_test_grid<dim>(24, 12, Edge::outflow);
+  State<dim> state = make_test_state<dim>(grid, {ball(middle_of(grid), 6.3 * grid.dx)});
+  Counters counters;
+
+  void SetUp() override { cut_all(state); }
+  double phi_by_exact(const Index<dim>& i) const {
+    return norm(grid.centre(i) - middle_of(grid)) - 6.3 * grid.dx;
+  }
+};
+TYPED_TEST_SUITE(Following, Dimensions);
+
+/// More volume than phi shows: the surface moves outwards, phi falls; only in the band.
+TYPED_TEST(Following, PhiFollowsTheVolume) {
+  constexpr int dim = TestFixture::dim;
+  auto& state = this->state;
+  const double h = 0.2 * this->grid.dx;
+  for (auto& b : state.bodies[0].blocks)
+    for (auto& cut : b.settled.cuts) cut.mismatch = h;
+  Scratch scratch;
+  for (int s = 0; s < state.mesh.local(); ++s) {
+    const Scratch::Frame frame(scratch);
+    follow_volume(state, state.bodies[0], s, 0.1, scratch);
+  }
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    const bool inside = std::abs(b.phi[k]) < carried_cells * this->grid.dx;
+    ASSERT_NEAR(b.phi_next[k], b.phi[k] - (inside ? 0.1 * h : 0), 1e-14);
+  });
+}
+
+TYPED_TEST(Following, TheWallsVelocityIsSpreadOverTheBand) {
+  constexpr int dim = TestFixture::dim;
+  auto& state = this->state;
+  Vec<dim> u;
+  for (int d = 0; d < dim; ++d) u[d] = 30 - 70 * d;
+  for (auto& b : state.bodies[0].blocks) {
+    b.walls.assign(b.geometry.cuts.size(), {});
+    for (auto& w : b.walls) w.mean_velocity = u;
+  }
+  const double dt = 0.9 * this->grid.dx / norm(u);
+  Scratch scratch;
+  for (const double length : {dt, 2 * dt}) {
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      const Scratch::Frame frame(scratch);
+      spread_wall_velocity(state, state.bodies[0], s, length, this->counters, scratch);
+    }
+    const double capped = length > dt ? this->grid.dx / (length * norm(u)) : 1;
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+      const bool inside = std::abs(b.phi[k]) < carried_cells * this->grid.dx;
+      for (int d = 0; d < dim; ++d)
+        ASSERT_NEAR(b.carrier[static_cast<std::size_t>(d) * b.phi.size() + k], inside ? capped * u[d] : 0,
+                    1e-11);
+    });
+    EXPECT_EQ(this->counters.capped_speeds > 0, length > dt);
+  }
+}
+
+TYPED_TEST(Following, RigidBodiesAreWhereTheirMotionPutsThem) {
+  constexpr int dim = TestFixture::dim;
+  auto& state = this->state;
+  Vec<dim> u;
+  u[0] = 20;
+  state.bodies[0].rigid = RigidMotion<dim>{ball(middle_of(this->grid), 6.3 * this->grid.dx), u};
+  const double time = 2.6 * this->grid.dx / u[0];
+  for (int s = 0; s < state.mesh.local(); ++s) place_rigid(state, state.bodies[0], s, time, PhiAt::midstep);
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    const double exact = norm(this->grid.centre(i) - middle_of(this->grid) - time * u) - 6.3 * this->grid.dx;
+    ASSERT_NEAR(b.phi_next[k], std::min(exact, far_cells * this->grid.dx), 1e-13);
+    ASSERT_NEAR(b.phi[k], std::min(this->phi_by_exact(i), far_cells * this->grid.dx), 1e-13);
+  });
+}
+
+}  // namespace
+}  // namespace recoil
