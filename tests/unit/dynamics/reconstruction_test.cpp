@@ -1,0 +1,93 @@
+#include "dynamics/reconstruction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "../core/random.hpp"
+
+namespace recoil {
+namespace {
+
+constexpr double least = 1e-12;
+
+double face(const std::array<double, 5>& v, double small = least) {
+  return weno5z(v[0], v[1], v[2], v[3], v[4], small);
+}
+
+/// Means over five cells of width h, of which the third ends at x, of a function given by its integral.
+std::array<double, 5> means(const std::function<double(double)>& integral, double x, double h) {
+  std::array<double, 5> v{};
+  for (int k = 0; k < 5; ++k) {
+    const double low = x + (k - 3) * h;
+    v[static_cast<std::size_t>(k)] = (integral(low + h) - integral(low)) / h;
+  }
+  return v;
+}
+
+TEST(Weno5z, AConstantStaysTheSameToTheLastBit) {
+  Random random(1);
+  for (int n = 0; n < 1000; ++n) {
+    const double v = random(-1e9, 1e9);
+    ASSERT_EQ(face({v, v, v, v, v}), v);
+    ASSERT_EQ(face({v, v, v, v, v}, 1e8), v);
+  }
+}
+
+/// Every one of the three parabolas is exact for means of a parabola, whatever the weights.
+TEST(Weno5z, ParabolasAreExact) {
+  Random random(2);
+  for (int n = 0; n < 200; ++n) {
+    const double a = random(-3, 3), b = random(-3, 3), c = random(-3, 3), x = random(-2, 2),
+                 h = random(0.1, 1);
+    const auto integral = [&](double t) { return t * (a + t * (b / 2 + t * c / 3)); };
+    ASSERT_NEAR(face(means(integral, x, h)), a + x * (b + x * c), 1e-12);
+  }
+}
+
+TEST(Weno5z, SmoothFunctionsAreOfFifthOrder) {
+  const auto error = [](double h) {
+    double largest = 0;
+    for (double x = 0.3; x < 1.2; x += 0.05)  // away from extrema
+      largest = std::max(
+          largest, std::abs(face(means([](double t) { return -std::cos(t); }, x, h), 1e-40) - std::sin(x)));
+    return largest;
+  };
+  EXPECT_GT(error(0.1) / error(0.05), 25);
+  EXPECT_GT(error(0.05) / error(0.025), 25);
+  EXPECT_LT(error(0.05), 1e-7);
+}
+
+/// With the largest `least` the weights are the linear ones: fifth order means exact for degree four.
+TEST(Weno5z, SmoothDataUseTheFivePointsTogether) {
+  const double x = 0.4, h = 0.1;
+  const auto v = means([](double t) { return std::pow(t, 5) / 5; }, x, h);
+  EXPECT_NEAR(face(v, 1e8), std::pow(x, 4), 1e-15);
+}
+
+TEST(Weno5z, AStepIsNotOvershot) {
+  for (std::size_t jump = 0; jump <= 5; ++jump) {
+    std::array<double, 5> v{};
+    for (std::size_t k = 0; k < 5; ++k) v[k] = k < jump ? 1 : 0;
+    EXPECT_GE(face(v), -0.01) << jump;
+    EXPECT_LE(face(v), 1.01) << jump;
+  }
+}
+
+TEST(Weno5z, IsTheSameInAllUnitsAndUpsideDown) {
+  Random random(3);
+  for (int n = 0; n < 100; ++n) {
+    std::array<double, 5> v{}, scaled{};
+    for (std::size_t k = 0; k < 5; ++k) {
+      v[k] = random(-1, 1);
+      scaled[k] = -1024 * v[k];
+    }
+    ASSERT_EQ(face(scaled, 1024.0 * 1024.0 * least), -1024 * face(v));
+  }
+}
+
+}  // namespace
+}  // namespace recoil
