@@ -95,13 +95,13 @@ class Window {
 
  private:
   struct Axis {
-    int offset = 0, local = 0;
-    bool flip = false, outside = false, open = false;
+    int offset, local;
+    bool flip, outside, open;
   };
   /// A run of window cells along axis 0 that lie one after the other (step 1), backwards (-1) or are one (0).
   struct Run {
-    int to = 0, n = 0, offset = 0, local = 0, step = 1;
-    bool flip = false, outside = false, open = false;
+    int to, n, offset, local, step;
+    bool flip, outside, open;
   };
 
   static constexpr Box<Dim> around() {
@@ -114,7 +114,7 @@ class Window {
     const Grid<Dim>& grid = mesh_.grid();
     const int n = grid.cells[d], nb = grid.block[d];
     const auto& edge = grid.edge[static_cast<std::size_t>(d)];
-    Axis a;
+    Axis a{};
     if (edge[0] == Edge::periodic) {
       int wrapped = g % n;
       if (wrapped < 0) wrapped += n;
@@ -204,8 +204,9 @@ class Window {
   const Mesh<Dim>& mesh_;
   Box<Dim> layout_, inner_, box_;
   Index<Dim> home_{};
-  std::array<std::array<Axis, longest>, Dim> axis_{};
-  std::array<Run, longest> run_{};
+  // Left as they are beyond what a window uses: setting them to zero would cost as much as a gather.
+  std::array<std::array<Axis, longest>, Dim> axis_;
+  std::array<Run, longest> run_;
   int runs_ = 0;
   std::array<int, static_cast<std::size_t>(power<Dim>(3))> slots_{};
 };

@@ -177,7 +177,7 @@ void Mesh<Dim>::number_neighbours() {
 
 template <int Dim>
 Index<Dim> choose_block(const Index<Dim>& cells, const std::array<std::array<Edge, 2>, Dim>& edge, int wanted) {
-  const int usual = wanted > 0 ? wanted : Dim == 1 ? 64 : 16;
+  const int usual = wanted > 0 ? wanted : Dim == 1 ? 64 : Dim == 2 ? 32 : 16;
   Index<Dim> block;
   for (int d = 0; d < Dim; ++d) {
     block[d] = cells[d] <= usual ? cells[d] : usual;
