@@ -47,6 +47,7 @@ State<Dim> make_test_state(const Grid<Dim>& grid, const std::vector<Distance<Dim
     body.blocks.resize(static_cast<std::size_t>(state.mesh.slots()));
     for (int s = 0; s < state.mesh.local(); ++s) {
       enter_block(body, s, grid);
+      body.at(s).reach = body.at(s).matter = state.mesh.block(s).cells;
       for_each(state.mesh.block(s).cells, [&](const Index<Dim>& i) {
         const auto k = static_cast<std::size_t>(grid.layout().at(i - state.mesh.block(s).cells.lo));
         body.at(s).phi[k] = std::clamp(shape(grid.centre(i)), -far, far);

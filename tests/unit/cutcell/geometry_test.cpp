@@ -110,7 +110,7 @@ TYPED_TEST(Geometries, NeighboursShareTheOpenAreasOfTheirFaces) {
       Box<dim> faces = state.mesh.block(s).cells;
       ++faces.hi[d];
       std::vector<double> area(static_cast<std::size_t>(faces.size()), -1);
-      open_areas(this->grid, state.mesh.block(s).cells, state.bodies[0].at(s).geometry, d, area.data());
+      open_areas(this->grid, Window<dim>(state.mesh, s, 1), state.bodies[0].at(s).geometry, d, area.data());
       for_each(state.mesh.block(s).cells, [&](Index<dim> i) {
         ASSERT_EQ(area[static_cast<std::size_t>(faces.at(i))], low[static_cast<std::size_t>(domain.at(i))]);
         const double h = high[static_cast<std::size_t>(domain.at(i))];

@@ -161,6 +161,33 @@ TYPED_TEST(Windows, OtherTypesAreGatheredWithoutSigns) {
   });
 }
 
+/// A window around a part of a block shows the same cells as one around the whole block.
+TYPED_TEST(Windows, PartOfABlock) {
+  constexpr int dim = TestFixture::dim;
+  const auto mesh = make_test_mesh(TestFixture::grid(25, 10, Edge::reflect, Edge::outflow));
+  const Data<dim> data(mesh);
+  for (int s = 0; s < mesh.local(); ++s) {
+    Box<dim> part = mesh.block(s).cells;
+    for (int d = 0; d < dim; ++d) {
+      part.lo[d] = std::min(part.lo[d] + 1, part.hi[d] - 1);
+      part.hi[d] = std::min(part.hi[d], part.lo[d] + 4);
+    }
+    const Window<dim> w(mesh, s, 3, part), whole(mesh, s, 3);
+    ASSERT_EQ(w.inner(), part);
+    ASSERT_EQ(w.box(), part.grown(3));
+    std::vector<double> out(static_cast<std::size_t>(w.size())), all(static_cast<std::size_t>(whole.size()));
+    w.gather(data, -7.0, Beyond::mirror, out.data(), 1U);
+    whole.gather(data, -7.0, Beyond::mirror, all.data(), 1U);
+    for_each(w.box(), [&](const Index<dim>& i) {
+      ASSERT_EQ(out[static_cast<std::size_t>(w.at(i))], all[static_cast<std::size_t>(whole.at(i))]);
+    });
+    for_each(w.inner(), [&](const Index<dim>& i) {
+      ASSERT_EQ(w.cell(i), mesh.grid().layout().at(i - mesh.block(s).cells.lo));
+      ASSERT_EQ(w.index_of(w.cell(i)), i);
+    });
+  }
+}
+
 TYPED_TEST(Windows, PointsAppearMirroredOrMovedLikeTheirCells) {
   constexpr int dim = TestFixture::dim;
   auto grid = TestFixture::grid(20, 10, Edge::reflect, Edge::reflect, true);

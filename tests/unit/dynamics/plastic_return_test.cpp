@@ -1,0 +1,124 @@
+#include "dynamics/plastic_return.hpp"
+
+#include <cmath>
+
+#include "../core/dimensions.hpp"
+#include "../cutcell/bodies.hpp"
+
+namespace recoil {
+namespace {
+
+template <class D>
+struct PlasticReturn : testing::Test {
+  static constexpr int dim = D::value;
+  using C = Components<dim>;
+  static constexpr double yield = 0.3e9, shear = 27.6e9;
+  Grid<dim> grid = make_test_grid<dim>(4, 4, Edge::outflow, true);
+
+  State<dim> state_with(const Strength& strength, const Primitives<dim>& w) {
+    Material m = samples::copper();
+    m.strength = strength;
+    auto state = make_test_state<dim>(grid, {[](const Vec<dim>&) { return -100.0; }}, m);
+    cut_all(state);
+    fill_body(state, 0, per_volume<dim>(m, w));
+    return state;
+  }
+  static double equivalent(const BodyBlock<dim>& b) {
+    return std::sqrt(
+               equivalent_stress_squared<dim>(b.contents.data() + C::s * b.volume.size(), b.volume.size())) /
+           b.contents[0];
+  }
+  Primitives<dim> stressed(double factor) {
+    auto w = some_primitives<dim>(samples::copper());
+    w[C::s] = 5e7;
+    for (int c = 0; c < C::stresses; ++c) w[static_cast<std::size_t>(C::s + c)] *= factor;
+    return w;
+  }
+};
+TYPED_TEST_SUITE(PlasticReturn, Dimensions);
+
+/// 3/2 S:S from the full tensor.
+TYPED_TEST(PlasticReturn, TheEquivalentStressIsThatOfTheTensor) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  const auto w = some_primitives<dim>(samples::copper());
+  double tensor[3][3] = {};
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
+      if (C::stress(i, j) >= 0) tensor[i][j] = w[static_cast<std::size_t>(C::s + C::stress(i, j))];
+  if (dim == 1)
+    tensor[1][1] = tensor[2][2] = -0.5 * tensor[0][0];
+  else
+    tensor[2][2] = -tensor[0][0] - tensor[1][1];
+  double sum = 0;
+  for (const auto& row : tensor)
+    for (const double s : row) sum += 1.5 * s * s;
+  EXPECT_NEAR(equivalent_stress_squared<dim>(w.data() + C::s, 1) / sum, 1, 1e-14);
+}
+
+TYPED_TEST(PlasticReturn, ElasticStatesAreLeftAlone) {
+  auto state = this->state_with(PerfectlyPlastic{this->shear, 1e12}, this->stressed(1));
+  const auto before = state.bodies[0].at(0).contents;
+  return_to_yield(state, state.bodies[0], 0, 1e-9);
+  EXPECT_EQ(state.bodies[0].at(0).contents, before);
+}
+
+/// Back on the surface along the deviator: S scales by Y/q, ep rises by (q - Y)/(3 G), heat by Y dep/(rho c).
+TYPED_TEST(PlasticReturn, TrialStressesReturnToTheSurface) {
+  using C = typename TestFixture::C;
+  const auto w = this->stressed(20);
+  auto state = this->state_with(PerfectlyPlastic{this->shear, this->yield}, w);
+  auto& b = state.bodies[0].at(0);
+  const std::size_t n = b.volume.size();
+  const double trial = TestFixture::equivalent(b);
+  ASSERT_GT(trial, this->yield);
+  const auto before = b.contents;
+  return_to_yield(state, state.bodies[0], 0, 1e-9);
+  EXPECT_NEAR(TestFixture::equivalent(b) / this->yield, 1, 1e-12);
+  for (std::size_t c = 0; c < C::s; ++c) EXPECT_EQ(b.contents[c * n], before[c * n]);  // no budget changes
+  for (std::size_t c = C::s; c < C::ep; ++c)
+    EXPECT_NEAR(b.contents[c * n] / before[c * n], this->yield / trial, 1e-12);
+  const double increment = (trial - this->yield) / (3 * this->shear), mass = b.contents[0];
+  EXPECT_NEAR((b.contents[C::ep * n] - before[C::ep * n]) / mass, increment, 1e-12);
+  const double rho = w[0], heat = this->yield * increment / (rho * samples::copper().thermal.specific_heat);
+  EXPECT_NEAR((b.contents[C::heat * n] - before[C::heat * n]) / mass / heat, 1, 1e-9);
+}
+
+TYPED_TEST(PlasticReturn, MeltedMatterLosesItsDeviator) {
+  using C = typename TestFixture::C;
+  auto w = this->stressed(5);
+  w[C::heat] = 2000;  // beyond melting
+  auto state = this->state_with(samples::copper().strength, w);
+  return_to_yield(state, state.bodies[0], 0, 1e-9);
+  EXPECT_NEAR(TestFixture::equivalent(state.bodies[0].at(0)), 0, 1);
+}
+
+/// Johnson-Cook: faster flow is stronger, and the rate is that of this substage.
+TYPED_TEST(PlasticReturn, ShorterStepsMeanHigherRates) {
+  double last = 0;
+  for (const double dt : {1e-3, 1e-6, 1e-9}) {
+    auto state = this->state_with(samples::copper().strength, this->stressed(20));
+    return_to_yield(state, state.bodies[0], 0, dt);
+    const double y = TestFixture::equivalent(state.bodies[0].at(0));
+    EXPECT_GT(y, last * 1.02);
+    last = y;
+  }
+}
+
+TYPED_TEST(PlasticReturn, TheRungeKuttaMean) {
+  auto state = this->state_with(PerfectlyPlastic{this->shear, this->yield}, this->stressed(1));
+  auto& b = state.bodies[0].at(0);
+  b.contents_old = b.contents;
+  b.volume_old = b.volume;
+  auto same = b;
+  combine_with_old(same, 1.0 / 3);
+  EXPECT_EQ(same.contents, b.contents);  // exact where nothing changed
+  for (double& v : b.contents) v *= 4;
+  b.volume[1] = 5;
+  combine_with_old(b, 0.25);
+  EXPECT_NEAR(b.contents[0] / b.contents_old[0], 0.25 + 0.75 * 4, 1e-14);
+  EXPECT_NEAR(b.volume[1], 0.25 * b.volume_old[1] + 0.75 * 5, 1e-14);
+}
+
+}  // namespace
+}  // namespace recoil

@@ -1,0 +1,164 @@
+#include "dynamics/primitives.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "../core/dimensions.hpp"
+#include "../cutcell/bodies.hpp"
+#include "core/error.hpp"
+
+namespace recoil {
+namespace {
+
+template <class D>
+struct States : testing::Test {
+  static constexpr int dim = D::value;
+  using C = Components<dim>;
+  Material material = samples::copper();
+  Grid<dim> grid = make_test_grid<dim>(12, 6, Edge::outflow);
+  Counters counters;
+
+  /// A body that fills the domain, with one state in all cells.
+  State<dim> uniform(const Primitives<dim>& w) {
+    auto state = make_test_state<dim>(grid, {[](const Vec<dim>&) { return -100.0; }}, material);
+    cut_all(state);
+    fill_body(state, 0, per_volume<dim>(material, w));
+    return state;
+  }
+};
+TYPED_TEST_SUITE(States, Dimensions);
+
+TYPED_TEST(States, PrimitivesAndContentsAreInverse) {
+  constexpr int dim = TestFixture::dim;
+  for (std::uint64_t seed = 1; seed < 20; ++seed) {
+    const auto w = some_primitives<dim>(this->material, seed);
+    auto q = per_volume<dim>(this->material, w);
+    for (double& c : q) c *= 1e-9;
+    const auto back = to_primitives<dim>(std::get<MieGruneisen>(this->material.eos), q, 1e-9);
+    for (std::size_t c = 0; c < w.size(); ++c) ASSERT_NEAR(back[c], w[c], 1e-11 * std::abs(w[c])) << c;
+  }
+}
+
+TYPED_TEST(States, BarotropicBodiesKeepTheRestOfTheirEnergy) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  const LinearEos eos{8930, 130e9};
+  Contents<dim> q{};
+  q[0] = 9000;
+  q[C::u] = 9000 * 50.0;
+  q[C::energy] = 9000 * (eos.energy(9000, 0) + 777 + 0.5 * 50 * 50);
+  const auto w = to_primitives<dim>(eos, q, 1);
+  EXPECT_NEAR(w[C::p], 130e9 * (9000.0 / 8930 - 1), 1e-3);
+  EXPECT_NEAR(w[C::extra], 777, 1e-8);
+}
+
+TYPED_TEST(States, AveragesOfAllBlocks) {
+  constexpr int dim = TestFixture::dim;
+  const auto w = some_primitives<dim>(this->material);
+  auto state = this->uniform(w);
+  for (const bool near_surface : {true, false}) {
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      state.bodies[0].at(s).near_surface = near_surface;
+      choose_roles(state, state.bodies[0], s, this->counters);
+      average_primitives(state, state.bodies[0], s, this->counters);
+    }
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+      for (std::size_t c = 0; c < Components<dim>::contents; ++c)
+        ASSERT_NEAR(b.average[c * b.volume.size() + k], w[c], 1e-11 * std::abs(w[c]));
+    });
+  }
+}
+
+TYPED_TEST(States, RolesFollowTheVolume) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->uniform(some_primitives<dim>(this->material));
+  auto& b = state.bodies[0].at(0);
+  const auto q = per_volume<dim>(this->material, some_primitives<dim>(this->material));
+  const double full = this->grid.dx_power(dim);
+  struct Row {
+    double fill;
+    int role;
+  };
+  for (const Row& r : {Row{1, donates | regular | valued}, Row{0.51, donates | regular | valued},
+                       Row{0.49, donates}, Row{0.31, donates}, Row{0.29, 0}, Row{0, 0}, Row{-0.1, 0}}) {
+    set_piece(b, 2, r.fill * full, q);
+    choose_roles(state, state.bodies[0], 0, this->counters);
+    EXPECT_EQ(b.role[2], r.role) << r.fill;
+  }
+  EXPECT_EQ(this->counters.cuts_without_donor, 0);
+  auto thin = q;
+  thin[0] *= 0.1;  // nearly no mass in the volume
+  set_piece(b, 2, full, thin);
+  choose_roles(state, state.bodies[0], 0, this->counters);
+  EXPECT_EQ(b.role[2], 0);
+  EXPECT_EQ(this->counters.cuts_without_donor, 1);
+}
+
+TYPED_TEST(States, TheFastestSignalIsTheSumOverAxes) {
+  constexpr int dim = TestFixture::dim;
+  Primitives<dim> w{};
+  w[0] = density(this->material);
+  double speeds = dim * longitudinal_speed(this->material);
+  for (int d = 0; d < dim; ++d) {
+    w[static_cast<std::size_t>(1 + d)] = 100 - 250 * d;
+    speeds += std::abs(100 - 250 * d);
+  }
+  auto state = this->uniform(w);
+  choose_roles(state, state.bodies[0], 0, this->counters);
+  average_primitives(state, state.bodies[0], 0, this->counters);
+  EXPECT_NEAR(fastest_signal(state, state.bodies[0], 0, this->counters) * this->grid.dx / speeds, 1, 1e-12);
+}
+
+TYPED_TEST(States, AStateThatIsNotANumberIsAnErrorWithItsPlace) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->uniform(some_primitives<dim>(this->material));
+  auto& b = state.bodies[0].at(0);
+  b.contents[3] = std::numeric_limits<double>::quiet_NaN();
+  for (auto& role : b.role) role = donates | regular;
+  try {
+    average_primitives(state, state.bodies[0], 0, this->counters);
+    FAIL();
+  } catch (const PhysicsError& e) {
+    EXPECT_NE(std::string(e.what()).find("body0 is not a number at ("), std::string::npos) << e.what();
+  }
+}
+
+TYPED_TEST(States, Admissibility) {
+  constexpr int dim = TestFixture::dim;
+  const double rho0 = density(this->material);
+  const auto at = [&](double rho, double p) {
+    Primitives<dim> w{};
+    w[0] = rho;
+    w[Components<dim>::p] = p;
+    w[1] = 400;
+    return inadmissible<dim>(this->material, per_volume<dim>(this->material, w), 1);
+  };
+  EXPECT_FALSE(at(rho0, 0));
+  EXPECT_FALSE(at(1.3 * rho0, 50e9));
+  EXPECT_TRUE(at(0.45 * rho0, 0));
+  EXPECT_TRUE(at(2.6 * rho0, 0));
+  EXPECT_TRUE(at(0.9 * rho0, -70e9));  // no sound speed
+  EXPECT_FALSE(at(0.9 * rho0, -10e9));
+}
+
+TYPED_TEST(States, BadStatesAreMarkedAndCleared) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->uniform(some_primitives<dim>(this->material));
+  auto& b = state.bodies[0].at(0);
+  auto dense = per_volume<dim>(this->material, some_primitives<dim>(this->material));
+  dense[0] *= 3;
+  const double full = this->grid.dx_power(dim);
+  EXPECT_EQ(mark_bad_states(state, state.bodies[0], 0), 0);
+  EXPECT_FALSE(has_bad_state(b));
+  set_piece(b, 1, full, dense);
+  set_piece(b, 4, 0.03 * full, dense);
+  set_piece(b, 5, 0.01 * full, dense);  // too small to be judged
+  EXPECT_EQ(mark_bad_states(state, state.bodies[0], 0), 2);
+  EXPECT_TRUE(has_bad_state(b));
+  EXPECT_TRUE((b.role[4] & bad_state) != 0 && (b.role[5] & bad_state) == 0);
+  clear_bad_states(b);
+  EXPECT_FALSE(has_bad_state(b));
+}
+
+}  // namespace
+}  // namespace recoil
