@@ -2,7 +2,9 @@
 
 namespace recoil {
 
-double free_velocity(double velocity, double stress, double impedance) { return velocity - stress / impedance; }
+double free_velocity(double velocity, double stress, double impedance) {
+  return velocity - stress / impedance;
+}
 
 Touch touch(const ContactSide& first, const ContactSide& second, double gap_speed) {
   const double za = first.impedance, zb = second.impedance;

@@ -14,7 +14,7 @@ struct Touch {
   bool touching = false;
   double traction = 0;                             // sigma* <= 0 [Pa]
   double first_velocity = 0, second_velocity = 0;  // of each wall along e [m/s]
-  double work_velocity = 0;                        // the one velocity with which the traction works on both [m/s]
+  double work_velocity = 0;  // the one velocity with which the traction works on both [m/s]
 };
 
 /// Velocity of a surface along its outward normal if nothing touched it: u - sigma/Z.
@@ -24,7 +24,8 @@ double free_velocity(double velocity, double stress, double impedance);
 /// Free speeds v_a = u_a - sigma_a/Z_a, v_b = u_b + sigma_b/Z_b; w = v_b - v_a + gap_speed.
 ///   w >= 0: apart.   w < 0: sigma* = w Z_a Z_b/(Z_a + Z_b), u_a = v_a + sigma*/Z_a, u_b = v_b - sigma*/Z_b,
 ///   and the work velocity (Z_a u_a + Z_b u_b)/(Z_a + Z_b), which closes the energy of both to round-off.
-/// @param gap_speed gap over time step while a gap is still to close [m/s]; 0 in contact. It makes first touch
+/// @param gap_speed gap over time step while a gap is still to close [m/s]; 0 in contact. It makes first
+/// touch
 ///   happen on time, without a stand-off.
 Touch touch(const ContactSide& first, const ContactSide& second, double gap_speed);
 

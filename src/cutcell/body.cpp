@@ -65,9 +65,9 @@ void apply_updates(BodyBlock<Dim>& block) {
   block.updates.clear();
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                       \
+#define RECOIL_INSTANTIATE(Dim)                                      \
   template void enter_block<Dim>(Body<Dim>&, int, const Grid<Dim>&); \
-  template void leave_block<Dim>(Body<Dim>&, int);                    \
+  template void leave_block<Dim>(Body<Dim>&, int);                   \
   template void apply_updates<Dim>(BodyBlock<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -24,19 +24,19 @@ template <int Dim>
 struct BodyBlock {
   bool present = false;
   bool near_surface = false;  // some cell within the reach of the surface
-  Box<Dim> reach{};           // cells with phi < 5.5 dx or with matter: where surfaces and moves may matter in a step
-  Box<Dim> matter{};          // cells that the mid-step geometry or V gives to the body; may be empty
+  Box<Dim> reach{};   // cells with phi < 5.5 dx or with matter: where surfaces and moves may matter in a step
+  Box<Dim> matter{};  // cells that the mid-step geometry or V gives to the body; may be empty
   std::vector<double> contents, contents_old;  // Q [Components::contents]
   std::vector<double> volume, volume_old;      // V
-  std::vector<double> phi, phi_next;           // signed distance [m], negative inside; phi_next also holds mid-step
-  std::vector<double> carrier;                 // velocity that carries phi [Dim]
-  std::vector<double> average;                 // primitives of the averages of donors
-  std::vector<double> stencil;                 // primitives for reconstructions; empty away from surfaces
+  std::vector<double> phi, phi_next;  // signed distance [m], negative inside; phi_next also holds mid-step
+  std::vector<double> carrier;        // velocity that carries phi [Dim]
+  std::vector<double> average;        // primitives of the averages of donors
+  std::vector<double> stencil;        // primitives for reconstructions; empty away from surfaces
   std::vector<std::uint8_t> role;
-  std::vector<std::uint32_t> contact;          // bit of every body that the piece touched in the last step
-  Geometry<Dim> geometry;                      // mid-step, with shared surfaces: what the stages use
-  Geometry<Dim> settled;                       // after the step: what moves of volume use
-  std::vector<Wall<Dim>> walls;                // one for each of geometry.cuts
+  std::vector<std::uint32_t> contact;  // bit of every body that the piece touched in the last step
+  Geometry<Dim> geometry;              // mid-step, with shared surfaces: what the stages use
+  Geometry<Dim> settled;               // after the step: what moves of volume use
+  std::vector<Wall<Dim>> walls;        // one for each of geometry.cuts
   std::vector<Donor<Dim>> donors;
   std::vector<GhostCell<Dim>> ghosts;
   std::vector<Update<Dim>> updates;
@@ -52,10 +52,10 @@ struct RigidMotion {
 template <int Dim>
 struct Body {
   std::string name;
-  Material material;                       // not used by rigid bodies
-  TemperatureLaw temperature;              // of the material
+  Material material;           // not used by rigid bodies
+  TemperatureLaw temperature;  // of the material
   std::optional<RigidMotion<Dim>> rigid;
-  std::vector<BodyBlock<Dim>> blocks;      // by slot
+  std::vector<BodyBlock<Dim>> blocks;  // by slot
 
   BodyBlock<Dim>& at(int slot) { return blocks[static_cast<std::size_t>(slot)]; }
   const BodyBlock<Dim>& at(int slot) const { return blocks[static_cast<std::size_t>(slot)]; }
@@ -73,7 +73,8 @@ struct Counters {
   std::vector<std::pair<const char*, std::int64_t*>> list();
 };
 
-/// What passed between two bodies, or through the edges of the domain, since the start. Summed block by block.
+/// What passed between two bodies, or through the edges of the domain, since the start. Summed block by
+/// block.
 template <int Dim>
 struct Account {
   double mass = 0, energy = 0;
@@ -83,19 +84,19 @@ struct Account {
 /// What one block adds to the record of a pair of bodies in one step, and since the start.
 template <int Dim>
 struct PairRecord {
-  Account<Dim> exchanged;       // received by the lower-numbered body [per time-integrated]
-  double area = 0;              // in contact, last stage [m^(Dim-1)]
-  Vec<Dim> force;               // on the lower-numbered body, last stage
+  Account<Dim> exchanged;                      // received by the lower-numbered body [per time-integrated]
+  double area = 0;                             // in contact, last stage [m^(Dim-1)]
+  Vec<Dim> force;                              // on the lower-numbered body, last stage
   double traction = 0, velocity = 0, gap = 0;  // area-weighted sums, last stage
-  Vec<Dim> place;               // area-weighted sum of x_I
+  Vec<Dim> place;                              // area-weighted sum of x_I
   double widest_gap = 0, deepest_overlap = 0;  // in dx, at touching cells, last stage
 };
 
 /// What one block has seen; kept per block so that sums over blocks do not depend on ranks or threads.
 template <int Dim>
 struct BlockLedger {
-  std::vector<PairRecord<Dim>> pairs;      // by pair_number
-  std::vector<Account<Dim>> edges;         // by body: what left through the edges of the domain
+  std::vector<PairRecord<Dim>> pairs;  // by pair_number
+  std::vector<Account<Dim>> edges;     // by body: what left through the edges of the domain
   Counters counters;
 };
 
@@ -104,10 +105,10 @@ template <int Dim>
 struct State {
   Mesh<Dim> mesh;
   std::vector<Body<Dim>> bodies;
-  std::vector<BlockLedger<Dim>> ledger;    // by local slot
-  double time = 0;                         // s
+  std::vector<BlockLedger<Dim>> ledger;  // by local slot
+  double time = 0;                       // s
   long step = 0;
-  double travel = 0;                       // of surfaces since the last full redistancing [m]
+  double travel = 0;  // of surfaces since the last full redistancing [m]
 
   const Grid<Dim>& grid() const { return mesh.grid(); }
   int count() const { return static_cast<int>(bodies.size()); }

@@ -8,9 +8,9 @@ namespace recoil {
 /// The part of a unit cell or face where a function given at its corners is negative.
 template <int Dim>
 struct Clip {
-  double fraction = 0;     // of the whole, [0, 1]
-  Vec<Dim> centroid;       // in [0, 1]^Dim
-  Vec<Dim> middle;         // mean of the points where the surface crosses edges
+  double fraction = 0;  // of the whole, [0, 1]
+  Vec<Dim> centroid;    // in [0, 1]^Dim
+  Vec<Dim> middle;      // mean of the points where the surface crosses edges
   int crossings = 0;
 };
 
@@ -19,12 +19,13 @@ template <int Dim>
 using Corners = std::array<double, static_cast<std::size_t>(1 << Dim)>;
 
 /// Clips a unit cell. Crossings are linear along edges. Points and segments (Dim 1) and polygons (Dim 2) are
-/// exact; of a polyhedron (Dim 3) the volume and centroid come from its faces by the divergence theorem, with the
-/// surface taken as flat, which is exact for a plane.
+/// exact; of a polyhedron (Dim 3) the volume and centroid come from its faces by the divergence theorem, with
+/// the surface taken as flat, which is exact for a plane.
 template <int Dim>
 Clip<Dim> clip(const Corners<Dim>& value);
 
-/// The part of face `side` (0 low, 1 high) across axis d that is open, as a Clip of the face placed in the cell.
+/// The part of face `side` (0 low, 1 high) across axis d that is open, as a Clip of the face placed in the
+/// cell.
 template <int Dim>
 Clip<Dim> clip_face(const Corners<Dim>& value, int d, int side);
 

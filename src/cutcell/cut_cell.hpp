@@ -10,18 +10,18 @@ namespace recoil {
 
 enum class CellKind : std::uint8_t { empty, full, cut };
 
-/// What the level set says of a cell that the surface of a body cuts. Areas [m^(Dim-1)] and volumes [m^Dim] are
-/// per radian and r-weighted in an axisymmetric domain.
+/// What the level set says of a cell that the surface of a body cuts. Areas [m^(Dim-1)] and volumes [m^Dim]
+/// are per radian and r-weighted in an axisymmetric domain.
 template <int Dim>
 struct CutCell {
-  int cell = 0;                                       // in the layout of its block
-  std::array<std::array<double, 2>, Dim> open{};      // open area of the [low, high] face across each axis
-  double plane_area = 0;                              // area of the piece in the r-z plane; 0 if not axisymmetric
-  double volume = 0;                                  // V_phi
-  Vec<Dim> centroid;                                  // of the piece, from the cell's centre, in dx
-  Vec<Dim> surface;                                   // area vector A_I of the surface, out of the body, by closure
-  Vec<Dim> point;                                     // x_I [m], the middle of the surface in the cell
-  double mismatch = 0;                                // (V - V_phi)/A_I [m], how far phi lags behind V
+  int cell = 0;                                   // in the layout of its block
+  std::array<std::array<double, 2>, Dim> open{};  // open area of the [low, high] face across each axis
+  double plane_area = 0;                          // area of the piece in the r-z plane; 0 if not axisymmetric
+  double volume = 0;                              // V_phi
+  Vec<Dim> centroid;                              // of the piece, from the cell's centre, in dx
+  Vec<Dim> surface;     // area vector A_I of the surface, out of the body, by closure
+  Vec<Dim> point;       // x_I [m], the middle of the surface in the cell
+  double mismatch = 0;  // (V - V_phi)/A_I [m], how far phi lags behind V
 };
 
 /// The kinds of all cells of a block, for one body, and the list of those that are cut.
@@ -32,30 +32,30 @@ struct Geometry {
   std::vector<CutCell<Dim>> cuts;
 };
 
-/// The state of a surface in one cut cell: the fit through the matter behind it, and what the wall does to it.
-/// One for each entry of Geometry::cuts.
+/// The state of a surface in one cut cell: the fit through the matter behind it, and what the wall does to
+/// it. One for each entry of Geometry::cuts.
 template <int Dim>
 struct Wall {
   using C = Components<Dim>;
   // the fit's donors; fixed for a step
   int first_donor = 0, donors = 0;
-  Vec<Dim> donor_centre;                              // weighted mean of the donors' places from x_I, in dx
+  Vec<Dim> donor_centre;  // weighted mean of the donors' places from x_I, in dx
   // the fit of this stage
-  Primitives<Dim> value{};                            // at x_I
-  Primitives<Dim> range{};                            // largest minus smallest value of the donors
-  std::array<Vec<Dim>, C::primitives> gradient{};     // per dx
+  Primitives<Dim> value{};                         // at x_I
+  Primitives<Dim> range{};                         // largest minus smallest value of the donors
+  std::array<Vec<Dim>, C::primitives> gradient{};  // per dx
   // the wall of this stage
-  Vec<Dim> normal;                                    // out of the body
-  double traction = 0;                                // sigma* of the contact [Pa], 0 where free
-  Vec<Dim> face_velocity;                             // of the main part of the wall
-  Vec<Dim> velocity;                                  // area mean over its parts
-  Vec<Dim> mean_velocity;                             // of the stages so far, with the weights of the scheme
-  std::uint32_t partners = 0;                         // bit of every body that it touches
+  Vec<Dim> normal;             // out of the body
+  double traction = 0;         // sigma* of the contact [Pa], 0 where free
+  Vec<Dim> face_velocity;      // of the main part of the wall
+  Vec<Dim> velocity;           // area mean over its parts
+  Vec<Dim> mean_velocity;      // of the stages so far, with the weights of the scheme
+  std::uint32_t partners = 0;  // bit of every body that it touches
   // rates of the piece's volume and contents, and the integral of the velocity gradient, by the wall
   double volume_rate = 0;
   Vec<Dim> force;
   double power = 0;
-  std::array<Vec<Dim>, Dim> stretching{};             // [i][j]: integral of u_i n_j
+  std::array<Vec<Dim>, Dim> stretching{};  // [i][j]: integral of u_i n_j
 };
 
 /// A cell whose average takes part in a fit.
@@ -71,11 +71,11 @@ struct Donor {
 template <int Dim>
 struct GhostCell {
   int cell = 0;
-  int slot = -1, wall = 0;   // -1: no wall near
-  unsigned flips = 0;        // between here and the wall
-  Vec<Dim> normal;           // of the body at the foot point
-  Vec<Dim> from_wall;        // foot point minus the wall's x_I [m], in the wall's own frame
-  double distance = 0;       // [m] along the normal, positive outside
+  int slot = -1, wall = 0;  // -1: no wall near
+  unsigned flips = 0;       // between here and the wall
+  Vec<Dim> normal;          // of the body at the foot point
+  Vec<Dim> from_wall;       // foot point minus the wall's x_I [m], in the wall's own frame
+  double distance = 0;      // [m] along the normal, positive outside
 };
 
 /// A cell's new volume and contents, found from an old state and put in place when all are known.

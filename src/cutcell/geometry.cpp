@@ -95,7 +95,8 @@ void share_node(std::vector<Nodes>& nodes, int k, double dx) {
   const auto touched = [k](const Nodes& n, const Nodes& other) {
     return n.contact && (n.contact[k] >> other.body & 1U);
   };
-  if (gap >= shared_gap * dx && !(gap < shared_contact_gap * dx && (touched(*a, *b) || touched(*b, *a)))) return;
+  if (gap >= shared_gap * dx && !(gap < shared_contact_gap * dx && (touched(*a, *b) || touched(*b, *a))))
+    return;
   // A wall exactly on a face: the deformable or lower-numbered body is just outside, the other just inside.
   const auto beside_rigid = [&](Nodes& n, Nodes& wall) {
     n.phi[k] = std::abs(wall.phi[k]) <= push ? push : -wall.phi[k];
@@ -205,11 +206,13 @@ void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, S
 }
 
 template <int Dim>
-double open_area(const Grid<Dim>& grid, const Geometry<Dim>& g, int cell, const Index<Dim>& i, int d, int side) {
+double open_area(const Grid<Dim>& grid, const Geometry<Dim>& g, int cell, const Index<Dim>& i, int d,
+                 int side) {
   const auto k = static_cast<std::size_t>(cell);
   if (g.kind[k] == CellKind::empty) return 0;
   if (g.kind[k] == CellKind::cut)
-    return g.cuts[static_cast<std::size_t>(g.index[k])].open[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)];
+    return g.cuts[static_cast<std::size_t>(g.index[k])]
+        .open[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)];
   Index<Dim> face = i;
   face[d] += side;
   return grid.full_area(face, d);
@@ -266,11 +269,11 @@ double interpolate(const Grid<Dim>& grid, const Box<Dim>& window, const double* 
   return sum;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                               \
-  template void find_geometry<Dim>(State<Dim>&, int, Surfaces, PhiAt, Scratch&);                             \
-  template double open_area<Dim>(const Grid<Dim>&, const Geometry<Dim>&, int, const Index<Dim>&, int, int);  \
-  template void open_areas<Dim>(const Grid<Dim>&, const Window<Dim>&, const Geometry<Dim>&, int, double*);   \
-  template Vec<Dim> phi_normal<Dim>(const Box<Dim>&, const double*, const Index<Dim>&, double);              \
+#define RECOIL_INSTANTIATE(Dim)                                                                             \
+  template void find_geometry<Dim>(State<Dim>&, int, Surfaces, PhiAt, Scratch&);                            \
+  template double open_area<Dim>(const Grid<Dim>&, const Geometry<Dim>&, int, const Index<Dim>&, int, int); \
+  template void open_areas<Dim>(const Grid<Dim>&, const Window<Dim>&, const Geometry<Dim>&, int, double*);  \
+  template Vec<Dim> phi_normal<Dim>(const Box<Dim>&, const double*, const Index<Dim>&, double);             \
   template double interpolate<Dim>(const Grid<Dim>&, const Box<Dim>&, const double*, const Vec<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -14,24 +14,26 @@ enum class Surfaces {
 /// Which level set: of the start of the step or half a step on.
 enum class PhiAt { now, midstep };
 
-/// Finds for all bodies of one block which cells are full, empty or cut, and how. Node values are means of phi
-/// over the 2^Dim cells around. Writes BodyBlock::geometry (midstep) or ::settled (now).
-/// Where two bodies are closer than 0.15 dx, or than 0.5 dx beside cells in contact with each other, the nodes of
-/// both take (phi_m - phi_k)/2 and its negative, so that both are cut by the same surface.
+/// Finds for all bodies of one block which cells are full, empty or cut, and how. Node values are means of
+/// phi over the 2^Dim cells around. Writes BodyBlock::geometry (midstep) or ::settled (now). Where two bodies
+/// are closer than 0.15 dx, or than 0.5 dx beside cells in contact with each other, the nodes of both take
+/// (phi_m - phi_k)/2 and its negative, so that both are cut by the same surface.
 template <int Dim>
 void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, Scratch& scratch);
 
 /// Open area of the [low, high] face across axis d of a cell of any kind.
 template <int Dim>
-double open_area(const Grid<Dim>& grid, const Geometry<Dim>& geometry, int cell, const Index<Dim>& i, int d, int side);
+double open_area(const Grid<Dim>& grid, const Geometry<Dim>& geometry, int cell, const Index<Dim>& i, int d,
+                 int side);
 
-/// Open areas of the low faces across axis d of the inner cells of a window and of the high faces of their last ones:
-/// out over the inner box grown by one at the high end of axis d.
+/// Open areas of the low faces across axis d of the inner cells of a window and of the high faces of their
+/// last ones: out over the inner box grown by one at the high end of axis d.
 template <int Dim>
-void open_areas(const Grid<Dim>& grid, const Window<Dim>& window, const Geometry<Dim>& geometry, int d, double* out);
+void open_areas(const Grid<Dim>& grid, const Window<Dim>& window, const Geometry<Dim>& geometry, int d,
+                double* out);
 
-/// -grad phi or grad phi as a unit vector at cell i of a window of phi (reach: one cell): central differences, or
-/// the steeper one-sided ones where those cancel (a ridge).
+/// -grad phi or grad phi as a unit vector at cell i of a window of phi (reach: one cell): central
+/// differences, or the steeper one-sided ones where those cancel (a ridge).
 template <int Dim>
 Vec<Dim> phi_normal(const Box<Dim>& window, const double* phi, const Index<Dim>& i, double dx);
 

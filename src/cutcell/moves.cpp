@@ -14,20 +14,23 @@ template <int Dim>
 class Pieces {
  public:
   Pieces(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
-      : grid(state.grid()), body_(body), window(state.mesh, slot, halo, body.at(slot).reach), scratch_(scratch) {
+      : grid(state.grid()),
+        body_(body),
+        window(state.mesh, slot, halo, body.at(slot).reach),
+        scratch_(scratch) {
     const auto n = static_cast<std::size_t>(window.size());
     volume = scratch.take<double>(n);
     kind = scratch.take<CellKind>(n);
-    window.gather([&](int s) { return body.present(s) ? body.at(s).volume.data() : nullptr; }, 0.0, Beyond::nothing,
-                  volume);
-    window.gather([&](int s) { return body.present(s) ? body.at(s).settled.kind.data() : nullptr; }, CellKind::empty,
-                  Beyond::nothing, kind);
+    window.gather([&](int s) { return body.present(s) ? body.at(s).volume.data() : nullptr; }, 0.0,
+                  Beyond::nothing, volume);
+    window.gather([&](int s) { return body.present(s) ? body.at(s).settled.kind.data() : nullptr; },
+                  CellKind::empty, Beyond::nothing, kind);
   }
 
   void gather_phi() {
     phi = scratch_.take<double>(static_cast<std::size_t>(window.size()));
-    window.gather([&](int s) { return body_.present(s) ? body_.at(s).phi.data() : nullptr; }, far_cells * grid.dx,
-                  Beyond::extend, phi);
+    window.gather([&](int s) { return body_.present(s) ? body_.at(s).phi.data() : nullptr; },
+                  far_cells * grid.dx, Beyond::extend, phi);
   }
 
   bool exists(const Index<Dim>& i) const { return window.source_inside(i).slot >= 0; }
@@ -51,7 +54,8 @@ class Pieces {
     return &g.cuts[static_cast<std::size_t>(g.index[static_cast<std::size_t>(from.cell)])];
   }
 
-  /// The neighbour along sign * grad phi, on its main axis; along the next one where the domain ends. i itself: none.
+  /// The neighbour along sign * grad phi, on its main axis; along the next one where the domain ends. i
+  /// itself: none.
   Index<Dim> neighbour(const Index<Dim>& i, int sign) const {
     const Vec<Dim> g = phi_normal(window.box(), phi, i, grid.dx);
     std::array<bool, Dim> tried{};
@@ -106,9 +110,9 @@ struct Transfer {
   Index<Dim> to{};
   bool any = false;
   double volume = 0;
-  Index<Dim> carrier{};      // whose state the volume takes along ...
-  double factor = 0;         // ... this much of its contents
-  bool everything = false;   // the cell is left with nothing
+  Index<Dim> carrier{};     // whose state the volume takes along ...
+  double factor = 0;        // ... this much of its contents
+  bool everything = false;  // the cell is left with nothing
 };
 
 /// Applies transfers between cells at most one apart: every own cell loses what it sends and gains what its
@@ -166,13 +170,15 @@ double surface_flow(const Pieces<Dim>& p, const Index<Dim>& i, int d, Index<Dim>
   ++j[d];
   const CutCell<Dim>*a = p.cut(i), *b = p.cut(j);
   if (!a || !b) return 0;
-  const double face = b->open[static_cast<std::size_t>(d)][0] / (p.grid.dx_power(Dim - 1) * p.grid.radius(j[0]));
+  const double face =
+      b->open[static_cast<std::size_t>(d)][0] / (p.grid.dx_power(Dim - 1) * p.grid.radius(j[0]));
   if (face <= 1e-9 || (Dim > 1 && face >= 1 - 1e-9)) return 0;
   const double area_a = surface_area(p.grid, *a, i), area_b = surface_area(p.grid, *b, j);
   const double va = p.volume[p.window.at(i)], vb = p.volume[p.window.at(j)];
   source = va / p.full(i) > vb / p.full(j) ? i : j;
   if (!(p.volume[p.window.at(source)] > 0.02 * p.full(source))) return 0;
-  return exchange_rate * ((va - a->volume) / area_a - (vb - b->volume) / area_b) * area_a * area_b / (area_a + area_b);
+  return exchange_rate * ((va - a->volume) / area_a - (vb - b->volume) / area_b) * area_a * area_b /
+         (area_a + area_b);
 }
 
 }  // namespace
@@ -211,7 +217,8 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
   for (CutCell<Dim>& cut : b.settled.cuts) {
     const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
     const double area = std::max(norm(cut.surface), 0.3 * face * grid.radius(i[0]));
-    cut.mismatch = std::clamp((b.volume[static_cast<std::size_t>(cut.cell)] - cut.volume) / area, -0.5 * grid.dx, 0.5 * grid.dx);
+    cut.mismatch = std::clamp((b.volume[static_cast<std::size_t>(cut.cell)] - cut.volume) / area,
+                              -0.5 * grid.dx, 0.5 * grid.dx);
   }
 }
 
@@ -385,12 +392,12 @@ void average_bad_states(const State<Dim>& state, Body<Dim>& body, int slot, int 
   });
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                     \
-  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);          \
-  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                          \
-  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);                   \
-  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);                     \
-  template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);        \
+#define RECOIL_INSTANTIATE(Dim)                                                              \
+  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);   \
+  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                   \
+  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);            \
+  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);              \
+  template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&); \
   template void average_bad_states<Dim>(const State<Dim>&, Body<Dim>&, int, int, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

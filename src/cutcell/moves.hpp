@@ -5,13 +5,14 @@
 
 namespace recoil {
 
-/// Volume moves only with its contents, from one old state; all functions here write BodyBlock::updates and leave
-/// the state as it is. They use the settled geometry (after the step).
+/// Volume moves only with its contents, from one old state; all functions here write BodyBlock::updates and
+/// leave the state as it is. They use the settled geometry (after the step).
 
 /// Part of the difference of mismatch between neighbours that is exchanged in a step.
 inline constexpr double exchange_rate = 0.05;
 
-/// Evens out how far phi lags behind V along a body's own surface: between cut cells whose common face is cut,
+/// Evens out how far phi lags behind V along a body's own surface: between cut cells whose common face is
+/// cut,
 ///   dV = 0.05 (h_i - h_j) |A_i| |A_j|/(|A_i| + |A_j|), h = (V - V_phi)/|A_I|.
 /// Needs the settled geometry with Surfaces::own.
 template <int Dim>
@@ -25,18 +26,19 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot);
 template <int Dim>
 void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
 
-/// Cells that the geometry shows full pass what they hold beyond a whole cell to their neighbour outwards, or take
-/// what they lack from it. In a thin body a deficit stays where the neighbour cannot give it.
+/// Cells that the geometry shows full pass what they hold beyond a whole cell to their neighbour outwards, or
+/// take what they lack from it. In a thin body a deficit stays where the neighbour cannot give it.
 template <int Dim>
 void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
 
-/// Bounds the volume of cut cells: below the bound all goes to the fullest neighbour, above it the excess to the
-/// emptiest cut one. The bounds are [0, full] where a body is thinner than about two cells, 0.1 full wider elsewhere.
+/// Bounds the volume of cut cells: below the bound all goes to the fullest neighbour, above it the excess to
+/// the emptiest cut one. The bounds are [0, full] where a body is thinner than about two cells, 0.1 full
+/// wider elsewhere.
 template <int Dim>
 void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch);
 
-/// Averages every inadmissible state (Role::bad_state) with the pieces up to `width` cells around, conservatively;
-/// where windows overlap, each cell is shared evenly between them.
+/// Averages every inadmissible state (Role::bad_state) with the pieces up to `width` cells around,
+/// conservatively; where windows overlap, each cell is shared evenly between them.
 template <int Dim>
 void average_bad_states(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch);
 

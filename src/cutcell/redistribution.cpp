@@ -10,15 +10,16 @@ namespace recoil {
 
 namespace {
 
-constexpr double target_fill = 0.5;     // pieces below are redistributed, neighbourhoods reach it
-constexpr double member_fill = 0.001;   // least part of a cell that a member fills
-constexpr double merge_fill = 0.02;     // least volume of a neighbourhood
-constexpr double home_fill = 0.3;       // where lone pieces go
-constexpr int reach = 8;                // own cells <- neighbourhoods (2) <- members (2) <- their counts (2 + 2)
+constexpr double target_fill = 0.5;    // pieces below are redistributed, neighbourhoods reach it
+constexpr double member_fill = 0.001;  // least part of a cell that a member fills
+constexpr double merge_fill = 0.02;    // least volume of a neighbourhood
+constexpr double home_fill = 0.3;      // where lone pieces go
+constexpr int reach = 8;  // own cells <- neighbourhoods (2) <- members (2) <- their counts (2 + 2)
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
 
-/// One small piece with the cells that it shares with. Members are places in the window, the piece itself first.
+/// One small piece with the cells that it shares with. Members are places in the window, the piece itself
+/// first.
 struct Neighbourhood {
   int cell = 0;
   int first = 0, members = 0;
@@ -30,13 +31,18 @@ template <int Dim>
 class Redistribution {
  public:
   Redistribution(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch)
-      : state_(state), grid_(state.grid()), body_(body), window_(state.mesh, slot, reach, body.at(slot).matter), counters_(counters),
-        scratch_(scratch), n_(static_cast<std::size_t>(window_.size())) {}
+      : state_(state),
+        grid_(state.grid()),
+        body_(body),
+        window_(state.mesh, slot, reach, body.at(slot).matter),
+        counters_(counters),
+        scratch_(scratch),
+        n_(static_cast<std::size_t>(window_.size())) {}
 
   void run(BodyBlock<Dim>& block) {
     volume_ = scratch_.take<double>(n_);
-    window_.gather([&](int s) { return body_.present(s) ? body_.at(s).volume.data() : nullptr; }, 0.0, Beyond::nothing,
-                   volume_);
+    window_.gather([&](int s) { return body_.present(s) ? body_.at(s).volume.data() : nullptr; }, 0.0,
+                   Beyond::nothing, volume_);
     index_ = scratch_.take<int>(n_);
     window_.gather([&](int s) { return body_.present(s) ? body_.at(s).geometry.index.data() : nullptr; }, -1,
                    Beyond::nothing, index_);
@@ -79,8 +85,8 @@ class Redistribution {
   }
   void gather_phi() {
     phi_ = scratch_.take<double>(n_);
-    window_.gather([&](int s) { return body_.present(s) ? body_.at(s).phi.data() : nullptr; }, far_cells * grid_.dx,
-                   Beyond::extend, phi_);
+    window_.gather([&](int s) { return body_.present(s) ? body_.at(s).phi.data() : nullptr; },
+                   far_cells * grid_.dx, Beyond::extend, phi_);
   }
 
   void add_member(Neighbourhood& s, const Index<Dim>& i, double& sum) {
@@ -92,8 +98,8 @@ class Redistribution {
     sum += volume_[k];
   }
 
-  /// The inward neighbour along the steepest axis; then the other axes and the diagonals towards the inside, then
-  /// all cells around, then those around them: until half a cell is reached.
+  /// The inward neighbour along the steepest axis; then the other axes and the diagonals towards the inside,
+  /// then all cells around, then those around them: until half a cell is reached.
   void form(Neighbourhood& s) {
     const Index<Dim> i = window_.box().index(s.cell);
     const double target = target_fill * full(i);
@@ -112,7 +118,8 @@ class Redistribution {
       if (subset != 1) s.axis = -1;
       Index<Dim> j = i;
       for (int d = 0; d < Dim; ++d)
-        if ((subset >> d & 1U) != 0) j[axis[static_cast<std::size_t>(d)]] += inward(axis[static_cast<std::size_t>(d)]);
+        if ((subset >> d & 1U) != 0)
+          j[axis[static_cast<std::size_t>(d)]] += inward(axis[static_cast<std::size_t>(d)]);
       add_member(s, j, sum);
     }
     if (sum >= target) return;
@@ -220,7 +227,8 @@ class Redistribution {
 
   /// A pair along an axis keeps the slope towards the two cells behind it, if these are whole enough.
   void add_slope(const Neighbourhood& h, Merged& m) const {
-    const int step = h.direction * window_.stride(h.axis), one = members_[h.first + 1] + step, two = one + step;
+    const int step = h.direction * window_.stride(h.axis), one = members_[h.first + 1] + step,
+              two = one + step;
     const Index<Dim> i1 = window_.box().index(one), i2 = window_.box().index(two);
     if (volume_[one] < target_fill * full(i1) || volume_[two] < target_fill * full(i2)) return;
     const double x0 = m.centre[h.axis], x1 = centroid(one)[h.axis], x2 = centroid(two)[h.axis];
@@ -240,8 +248,10 @@ class Redistribution {
     for (int h = first_holder_[k]; h < first_holder_[k + 1]; ++h) {
       const int s = holders_[h];
       const Merged& m = merged(s);
-      const double z = small_[s].axis >= 0 && m.possible ? centroid(k)[small_[s].axis] - m.centre[small_[s].axis] : 0;
-      for (std::size_t c = 0; c < old.size(); ++c) sum[c] += m.possible ? m.mean[c] + m.slope[c] * z : old[c] * per_volume;
+      const double z =
+          small_[s].axis >= 0 && m.possible ? centroid(k)[small_[s].axis] - m.centre[small_[s].axis] : 0;
+      for (std::size_t c = 0; c < old.size(); ++c)
+        sum[c] += m.possible ? m.mean[c] + m.slope[c] * z : old[c] * per_volume;
     }
     const double share = volume_[k] / shares_[k];
     for (double& c : sum) c *= share;

@@ -8,15 +8,16 @@ namespace recoil {
 enum Part : unsigned {
   part_phi = 1,
   part_phi_next = 2,
-  part_matter = 4,      // contents and volume
-  part_average = 8,     // and role
-  part_stencil = 16,    // and role
-  part_geometry = 32,   // mid-step, with walls
+  part_matter = 4,     // contents and volume
+  part_average = 8,    // and role
+  part_stencil = 16,   // and role
+  part_geometry = 32,  // mid-step, with walls
   part_settled = 64,
   part_contact = 128
 };
 
-/// Shares parts (a sum of Part) of all bodies with the other processes, and which blocks they are in. Collective.
+/// Shares parts (a sum of Part) of all bodies with the other processes, and which blocks they are in.
+/// Collective.
 template <int Dim>
 void share(State<Dim>& state, const parallel::World& world, unsigned parts);
 

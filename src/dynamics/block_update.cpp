@@ -11,7 +11,8 @@ namespace {
 
 constexpr int reach = 3;  // cells that a reconstruction reads beyond a face
 
-/// The arrays of one block's update. Window arrays hold [component][window cells], the others [component][cells].
+/// The arrays of one block's update. Window arrays hold [component][window cells], the others
+/// [component][cells].
 template <int Dim>
 struct Work {
   const Grid<Dim>& grid;
@@ -20,9 +21,9 @@ struct Work {
   std::size_t n = 0, wide = 0;  // of those cells, of the window's
   double *primitive = nullptr, *impedance = nullptr, *stress = nullptr;
   std::uint8_t* role = nullptr;  // null where every cell has a value
-  double *rate = nullptr;        // [contents]
-  double *gradient = nullptr;    // [i * Dim + j]: integral of du_i/dx_j
-  double *radial = nullptr;      // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
+  double* rate = nullptr;        // [contents]
+  double* gradient = nullptr;    // [i * Dim + j]: integral of du_i/dx_j
+  double* radial = nullptr;      // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
 };
 
 template <int Dim>
@@ -51,8 +52,8 @@ void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double 
   }
   if (body.at(slot).near_surface) {
     w.role = scratch.take<std::uint8_t>(w.wide);
-    w.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
-                    Beyond::extend, w.role);
+    w.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; },
+                    std::uint8_t{0}, Beyond::extend, w.role);
     for (std::size_t k = 0; k < w.wide; ++k) {
       if ((w.role[k] & valued) != 0) continue;
       for (std::size_t c = 0; c < count; ++c) w.primitive[c * w.wide + k] = c == C::rho ? eos.rho0 : 0.0;
@@ -81,8 +82,10 @@ void poor_face(const EosModel& eos, double g, const Work<Dim>& w, std::ptrdiff_t
   }
   ++counters.faces_without_value;
   if (!has[2] && !has[3]) {
-    for (std::size_t c = 0; c < C::contents; ++c) out.flux[c * out.faces + static_cast<std::size_t>(out.first)] = 0;
-    for (std::size_t d = 0; d < Dim; ++d) out.velocity[d * out.faces + static_cast<std::size_t>(out.first)] = 0;
+    for (std::size_t c = 0; c < C::contents; ++c)
+      out.flux[c * out.faces + static_cast<std::size_t>(out.first)] = 0;
+    for (std::size_t d = 0; d < Dim; ++d)
+      out.velocity[d * out.faces + static_cast<std::size_t>(out.first)] = 0;
     return;
   }
   if (!has[2]) from[2] = from[3];
@@ -145,16 +148,19 @@ void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Di
     while (lo < hi && area[at_face + lo] == 0) ++lo;
     while (hi > lo && area[at_face + hi - 1] == 0) --hi;
     for (int from = lo; from < hi; from += longest_row) {
-      const FaceRow<Dim> row{w.primitive, w.stress, w.impedance, w.wide, at_cell + from, step,
-                             std::min(hi - from, longest_row)};
-      counters.first_order_faces += face_fluxes<Dim, Axis, Shear>(eos, g, row, {flux, velocity, nf, at_face + from});
+      const FaceRow<Dim> row{
+          w.primitive, w.stress, w.impedance, w.wide, at_cell + from, step, std::min(hi - from, longest_row)};
+      counters.first_order_faces +=
+          face_fluxes<Dim, Axis, Shear>(eos, g, row, {flux, velocity, nf, at_face + from});
     }
     for (int i = 0; i < width; ++i) {
       if (area[at_face + i] == 0) {
-        for (std::size_t c = 0; c < C::contents; ++c) flux[c * nf + static_cast<std::size_t>(at_face + i)] = 0;
+        for (std::size_t c = 0; c < C::contents; ++c)
+          flux[c * nf + static_cast<std::size_t>(at_face + i)] = 0;
         for (std::size_t d = 0; d < Dim; ++d) velocity[d * nf + static_cast<std::size_t>(at_face + i)] = 0;
       } else if (w.role && !complete(w, at_cell + i, step)) {
-        poor_face<Dim, Axis, Shear>(eos, g, w, at_cell + i, step, {flux, velocity, nf, at_face + i}, counters);
+        poor_face<Dim, Axis, Shear>(eos, g, w, at_cell + i, step, {flux, velocity, nf, at_face + i},
+                                    counters);
       }
     }
   });
@@ -196,7 +202,8 @@ void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Di
       const auto k = static_cast<std::size_t>(faces.at(i));
       edges.mass += sign * area[k] * flux[C::rho * nf + k];
       edges.energy += sign * area[k] * flux[C::energy * nf + k];
-      for (int d = 0; d < Dim; ++d) edges.momentum[d] += sign * area[k] * flux[static_cast<std::size_t>(C::u + d) * nf + k];
+      for (int d = 0; d < Dim; ++d)
+        edges.momentum[d] += sign * area[k] * flux[static_cast<std::size_t>(C::u + d) * nf + k];
     });
   }
 }
@@ -220,11 +227,11 @@ void add_walls(BodyBlock<Dim>& b, Work<Dim>& w, double dt) {
   }
 }
 
-/// Hoop terms of one cell (theory: axisymmetry): the divergence keeps the raw r-weighted sums, both r-columns of the
-/// gradient lose the part that is due to the widening of the cell.
+/// Hoop terms of one cell (theory: axisymmetry): the divergence keeps the raw r-weighted sums, both r-columns
+/// of the gradient lose the part that is due to the widening of the cell.
 template <int Dim>
-void axisymmetric_cell(const Body<Dim>& body, int slot, Work<Dim>& w, const Index<Dim>& i, int cell, const double* value,
-                       std::size_t stride, double* gradient_r) {
+void axisymmetric_cell(const Body<Dim>& body, int slot, Work<Dim>& w, const Index<Dim>& i, int cell,
+                       const double* value, std::size_t stride, double* gradient_r) {
   using C = Components<Dim>;
   const BodyBlock<Dim>& b = body.at(slot);
   const auto k = static_cast<std::size_t>(w.cells.at(i));
@@ -232,9 +239,10 @@ void axisymmetric_cell(const Body<Dim>& body, int slot, Work<Dim>& w, const Inde
   if (kind == CellKind::empty) return;
   const double dx = w.grid.dx;
   double plane = dx * dx, ur = value[C::u * stride], uz = value[(C::u + 1) * stride];
-  const CutCell<Dim>* cut = kind == CellKind::cut
-                                ? &b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[static_cast<std::size_t>(cell)])]
-                                : nullptr;
+  const CutCell<Dim>* cut =
+      kind == CellKind::cut
+          ? &b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[static_cast<std::size_t>(cell)])]
+          : nullptr;
   if (cut) plane = cut->plane_area;
   const auto wide_open = [&](int side) {
     return cut->open[0][static_cast<std::size_t>(side)] > 0.3 * w.grid.face_radius(i[0] + side) * dx;
@@ -243,7 +251,8 @@ void axisymmetric_cell(const Body<Dim>& body, int slot, Work<Dim>& w, const Inde
     ur = w.radial[k];
     if (i[0] > 0) uz = w.radial[w.n + k];
   } else {
-    const Wall<Dim>& wall = b.walls[static_cast<std::size_t>(b.geometry.index[static_cast<std::size_t>(cell)])];
+    const Wall<Dim>& wall =
+        b.walls[static_cast<std::size_t>(b.geometry.index[static_cast<std::size_t>(cell)])];
     if (wall.donors > 0) {
       const Vec<Dim> r = (w.grid.centre(i) - cut->point) * (1 / dx) + cut->centroid;
       ur = wall.value[C::u] + dot(wall.gradient[C::u], r);
@@ -258,8 +267,8 @@ void axisymmetric_cell(const Body<Dim>& body, int slot, Work<Dim>& w, const Inde
 
 /// 2 G dev D + W S - S W of one cell, integrated over the piece. L[i * Dim + j]: integral of du_i/dx_j.
 template <int Dim>
-void stress_rate(double g, double trace, const double* value, std::size_t stride, const double* L, double* rate,
-                 std::size_t n) {
+void stress_rate(double g, double trace, const double* value, std::size_t stride, const double* L,
+                 double* rate, std::size_t n) {
   using C = Components<Dim>;
   const double rho = value[C::rho * stride];
   const auto full = [&](int i, int j) {
@@ -273,7 +282,8 @@ void stress_rate(double g, double trace, const double* value, std::size_t stride
       if (c < 0) continue;
       double sum = g * (L[i * Dim + j] + L[j * Dim + i]) - (i == j ? 2 * g * trace / 3 : 0);
       for (int m = 0; m < Dim; ++m) {
-        const double wim = 0.5 * (L[i * Dim + m] - L[m * Dim + i]), wmj = 0.5 * (L[m * Dim + j] - L[j * Dim + m]);
+        const double wim = 0.5 * (L[i * Dim + m] - L[m * Dim + i]),
+                     wmj = 0.5 * (L[m * Dim + j] - L[j * Dim + m]);
         sum += wim * full(m, j) - full(i, m) * wmj;
       }
       rate[static_cast<std::size_t>(C::s + c) * n] += rho * sum;
@@ -317,7 +327,8 @@ void add_rates(BodyBlock<Dim>& b, const Work<Dim>& w, double dt) {
   rows.hi[0] = rows.lo[0] + 1;
   const int width = w.cells.extent(0);
   for_each(rows, [&](const Index<Dim>& r) {
-    const auto from = static_cast<std::size_t>(w.cells.at(r)), to = static_cast<std::size_t>(w.window.cell(r));
+    const auto from = static_cast<std::size_t>(w.cells.at(r)),
+               to = static_cast<std::size_t>(w.window.cell(r));
     for (std::size_t c = 0; c < Components<Dim>::contents; ++c) {
       const double* rate = w.rate + c * w.n + from;
       double* q = b.contents.data() + c * all + to;
@@ -352,8 +363,8 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
 }  // namespace
 
 template <int Dim>
-void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt, double share, Account<Dim>& edges,
-                  Counters& counters, Scratch& scratch) {
+void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt, double share,
+                  Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   if (body.at(slot).matter.size() == 0) return;
   std::visit(
       [&](const auto& eos) {
@@ -365,7 +376,7 @@ void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt,
       body.material.eos);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                       \
+#define RECOIL_INSTANTIATE(Dim)                                                                      \
   template void update_block<Dim>(const State<Dim>&, Body<Dim>&, int, double, double, Account<Dim>&, \
                                   Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)

@@ -10,8 +10,8 @@ namespace recoil {
 /// The longest row of faces that one call takes.
 inline constexpr int longest_row = 96;
 
-/// Where a row of faces reads. Face i of the row lies between cells `first + i - step` and `first + i` of arrays
-/// that hold every component of every cell of a window.
+/// Where a row of faces reads. Face i of the row lies between cells `first + i - step` and `first + i` of
+/// arrays that hold every component of every cell of a window.
 template <int Dim>
 struct FaceRow {
   const double* primitive = nullptr;   // [Components::primitives][cells]
@@ -31,9 +31,9 @@ struct FaceFlux {
   std::ptrdiff_t first = 0;    // place of the row's first face
 };
 
-/// Fluxes through one row of faces across `Axis`: WENO5-Z of the characteristic-like sigma +- Z u and tau +- Z_s v
-/// and of the remaining primitives, then an HLLC solver whose wave speeds are elastic, with acoustic shear waves.
-/// Unphysical reconstructions fall back to the cell's own state.
+/// Fluxes through one row of faces across `Axis`: WENO5-Z of the characteristic-like sigma +- Z u and tau +-
+/// Z_s v and of the remaining primitives, then an HLLC solver whose wave speeds are elastic, with acoustic
+/// shear waves. Unphysical reconstructions fall back to the cell's own state.
 /// @param shear false for fluids: no shear waves at all.
 /// @returns how many states fell back.
 template <int Dim, int Axis, bool Shear, class EosModel>
@@ -43,7 +43,8 @@ int face_fluxes(const EosModel& eos, double shear_modulus, const FaceRow<Dim>& i
   constexpr std::size_t un = C::u + Axis;
   const std::ptrdiff_t st = in.step;
   const int count = in.count;
-  alignas(64) double left[P][longest_row], right[P][longest_row], stress_left[longest_row], stress_right[longest_row];
+  alignas(64) double left[P][longest_row], right[P][longest_row], stress_left[longest_row],
+      stress_right[longest_row];
   const auto of = [&](std::size_t c) { return in.primitive + c * in.cells + in.first; };
 
   const auto plain = [&](std::size_t c, double least) {
@@ -51,7 +52,8 @@ int face_fluxes(const EosModel& eos, double shear_modulus, const FaceRow<Dim>& i
     double *l = left[c], *r = right[c];
 #pragma omp simd
     for (int i = 0; i < count; ++i) {
-      const double a = q[i - 3 * st], b = q[i - 2 * st], x = q[i - st], y = q[i], d = q[i + st], e = q[i + 2 * st];
+      const double a = q[i - 3 * st], b = q[i - 2 * st], x = q[i - st], y = q[i], d = q[i + st],
+                   e = q[i + 2 * st];
       l[i] = weno5z(a, b, x, y, d, least);
       r[i] = weno5z(e, d, y, x, b, least);
     }
@@ -60,7 +62,8 @@ int face_fluxes(const EosModel& eos, double shear_modulus, const FaceRow<Dim>& i
   plain(C::rho, 1e-6 * eos.rho0 * eos.rho0);
   for (std::size_t c = C::s; c < C::ep; ++c) {
     bool sheared = false;
-    for (int t = 0; t < Dim; ++t) sheared = sheared || (t != Axis && static_cast<int>(c) == C::s + C::stress(Axis, t));
+    for (int t = 0; t < Dim; ++t)
+      sheared = sheared || (t != Axis && static_cast<int>(c) == C::s + C::stress(Axis, t));
     if (!(Shear && sheared)) plain(c, stress_scale);
   }
   plain(C::ep, 1e-12);
@@ -74,9 +77,10 @@ int face_fluxes(const EosModel& eos, double shear_modulus, const FaceRow<Dim>& i
 #pragma omp simd
     for (int i = 0; i < count; ++i) {
       const double Z = 0.5 * (z[i - st] + z[i]), half = 0.5 / Z;
-      const double sa = s[i - 3 * st], sb = s[i - 2 * st], sx = s[i - st], sy = s[i], sd = s[i + st], se = s[i + 2 * st];
-      const double ua = Z * u[i - 3 * st], ub = Z * u[i - 2 * st], ux = Z * u[i - st], uy = Z * u[i], ud = Z * u[i + st],
-                   ue = Z * u[i + 2 * st];
+      const double sa = s[i - 3 * st], sb = s[i - 2 * st], sx = s[i - st], sy = s[i], sd = s[i + st],
+                   se = s[i + 2 * st];
+      const double ua = Z * u[i - 3 * st], ub = Z * u[i - 2 * st], ux = Z * u[i - st], uy = Z * u[i],
+                   ud = Z * u[i + st], ue = Z * u[i + 2 * st];
       const double al = weno5z(sa + ua, sb + ub, sx + ux, sy + uy, sd + ud, stress_scale);
       const double ar = weno5z(se + ue, sd + ud, sy + uy, sx + ux, sb + ub, stress_scale);
       const double bl = weno5z(sa - ua, sb - ub, sx - ux, sy - uy, sd - ud, stress_scale);
@@ -89,7 +93,8 @@ int face_fluxes(const EosModel& eos, double shear_modulus, const FaceRow<Dim>& i
   }
   for (int t = 0; t < Dim; ++t) {
     if (t == Axis) continue;
-    const auto ut = static_cast<std::size_t>(C::u + t), tau = static_cast<std::size_t>(C::s + C::stress(Axis, t));
+    const auto ut = static_cast<std::size_t>(C::u + t),
+               tau = static_cast<std::size_t>(C::s + C::stress(Axis, t));
     if constexpr (!Shear) {
       plain(ut, velocity_scale);
       continue;
@@ -98,10 +103,12 @@ int face_fluxes(const EosModel& eos, double shear_modulus, const FaceRow<Dim>& i
     double *ul = left[ut], *ur = right[ut], *sl = left[tau], *sr = right[tau];
 #pragma omp simd
     for (int i = 0; i < count; ++i) {
-      const double Z = 0.5 * (std::sqrt(rho[i - st] * shear_modulus) + std::sqrt(rho[i] * shear_modulus)), half = 0.5 / Z;
-      const double sa = s[i - 3 * st], sb = s[i - 2 * st], sx = s[i - st], sy = s[i], sd = s[i + st], se = s[i + 2 * st];
-      const double ua = Z * u[i - 3 * st], ub = Z * u[i - 2 * st], ux = Z * u[i - st], uy = Z * u[i], ud = Z * u[i + st],
-                   ue = Z * u[i + 2 * st];
+      const double Z = 0.5 * (std::sqrt(rho[i - st] * shear_modulus) + std::sqrt(rho[i] * shear_modulus)),
+                   half = 0.5 / Z;
+      const double sa = s[i - 3 * st], sb = s[i - 2 * st], sx = s[i - st], sy = s[i], sd = s[i + st],
+                   se = s[i + 2 * st];
+      const double ua = Z * u[i - 3 * st], ub = Z * u[i - 2 * st], ux = Z * u[i - st], uy = Z * u[i],
+                   ud = Z * u[i + st], ue = Z * u[i + 2 * st];
       const double al = weno5z(sa + ua, sb + ub, sx + ux, sy + uy, sd + ud, stress_scale);
       const double ar = weno5z(se + ue, sd + ud, sy + uy, sx + ux, sb + ub, stress_scale);
       const double bl = weno5z(sa - ua, sb - ub, sx - ux, sy - uy, sd - ud, stress_scale);
@@ -122,7 +129,7 @@ int face_fluxes(const EosModel& eos, double shear_modulus, const FaceRow<Dim>& i
   };
   const double c0 = bulk_sound_speed(eos), least_c2 = least_sound * c0 * c0, least_rho = 0.3 * eos.rho0;
   int fallen = 0;
-  const auto mend = [&](double (*w)[longest_row], double* stress, std::ptrdiff_t shift) {
+  const auto mend = [&](double(*w)[longest_row], double* stress, std::ptrdiff_t shift) {
     const double* rho = of(C::rho) + shift;
 #pragma omp simd reduction(+ : fallen)
     for (int i = 0; i < count; ++i) {
@@ -136,10 +143,11 @@ int face_fluxes(const EosModel& eos, double shear_modulus, const FaceRow<Dim>& i
   mend(left, stress_left, -st);
   mend(right, stress_right, 0);
   if (fallen > 0) {
-    const auto restore = [&](double (*w)[longest_row], double* stress, std::ptrdiff_t shift) {
+    const auto restore = [&](double(*w)[longest_row], double* stress, std::ptrdiff_t shift) {
       for (int i = 0; i < count; ++i) {
         const double r = w[C::rho][i], rho = of(C::rho)[i + shift];
-        if ((r > 0.5 * rho) & (r < 2 * rho) & (r > least_rho) & (eos.sound_speed_squared(r, w[C::p][i]) >= least_c2))
+        if ((r > 0.5 * rho) & (r < 2 * rho) & (r > least_rho) &
+            (eos.sound_speed_squared(r, w[C::p][i]) >= least_c2))
           continue;
         for (std::size_t c = 0; c < P; ++c) w[c][i] = of(c)[i + shift];
         stress[i] = in.stress[in.first + i + shift];

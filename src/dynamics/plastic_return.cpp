@@ -11,7 +11,8 @@ namespace {
 
 /// One cell: contents q (distance n between components) of a piece of volume v.
 template <int Dim, class StrengthModel>
-void return_cell(const StrengthModel& strength, const TemperatureLaw& law, double* q, std::size_t n, double v, double dt) {
+void return_cell(const StrengthModel& strength, const TemperatureLaw& law, double* q, std::size_t n, double v,
+                 double dt) {
   using C = Components<Dim>;
   const double mass = q[C::rho * n], rho = mass / v;
   if (!(rho > 0)) return;
@@ -43,7 +44,8 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
       [&](const auto& strength) {
         for_each(b.matter, [&](const Index<Dim>& i) {
           const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-          if (b.volume[k] != 0) return_cell<Dim>(strength, body.temperature, b.contents.data() + k, n, b.volume[k], dt);
+          if (b.volume[k] != 0)
+            return_cell<Dim>(strength, body.temperature, b.contents.data() + k, n, b.volume[k], dt);
         });
       },
       body.material.strength);
@@ -62,7 +64,7 @@ void combine_with_old(BodyBlock<Dim>& b, double old_part) {
   mix(b.volume, b.volume_old);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                     \
+#define RECOIL_INSTANTIATE(Dim)                                                   \
   template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double); \
   template void combine_with_old<Dim>(BodyBlock<Dim>&, double);
 RECOIL_INSTANTIATE(1)

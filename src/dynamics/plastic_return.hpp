@@ -4,13 +4,14 @@
 
 namespace recoil {
 
-/// Radial return of the deviators of one body in one block after a substage of length dt: scales S to the yield
-/// surface, raises ep, and books the plastic heating. The rate of Johnson-Cook is dep/dt of this substage.
-/// Energy, momentum and mass do not change: S and ep carry no budget.
+/// Radial return of the deviators of one body in one block after a substage of length dt: scales S to the
+/// yield surface, raises ep, and books the plastic heating. The rate of Johnson-Cook is dep/dt of this
+/// substage. Energy, momentum and mass do not change: S and ep carry no budget.
 template <int Dim>
 void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt);
 
-/// The convex combination of a Runge-Kutta stage (Shu & Osher 1988): Q, V = old_part (Q, V)_old + (1 - old_part) (Q, V).
+/// The convex combination of a Runge-Kutta stage (Shu & Osher 1988): Q, V = old_part (Q, V)_old + (1 -
+/// old_part) (Q, V).
 template <int Dim>
 void combine_with_old(BodyBlock<Dim>& block, double old_part);
 

@@ -50,7 +50,8 @@ void row_primitives(const EosModel& eos, std::size_t first, std::size_t count, s
 }
 
 template <int Dim, class EosModel>
-void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, Counters& counters) {
+void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
+                   Counters& counters) {
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
@@ -68,13 +69,15 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
       if ((b.role[k] & donates) == 0) return;
       const double volume = b.volume[k], rho = b.contents[k] / volume;
       if (volume <= 0.1 * state.grid().full_volume(i) || !(rho > 0.2 * eos.rho0) || !(rho < 3 * eos.rho0)) {
-        if (!std::isfinite(rho)) throw PhysicsError("the density of " + body.name + " is not a number at " +
-                                                    place_of(state, slot, i - cells.lo));
+        if (!std::isfinite(rho))
+          throw PhysicsError("the density of " + body.name + " is not a number at " +
+                             place_of(state, slot, i - cells.lo));
         ++counters.cuts_without_donor;  // keeps its average of the stage before
         return;
       }
       const Primitives<Dim> w = to_primitives<Dim>(eos, contents_of(b, static_cast<int>(k)), volume);
-      for (std::size_t c = 0; c < (EosModel::barotropic ? C::primitives : C::contents); ++c) b.average[c * n + k] = w[c];
+      for (std::size_t c = 0; c < (EosModel::barotropic ? C::primitives : C::contents); ++c)
+        b.average[c * n + k] = w[c];
     });
   }
 }
@@ -120,9 +123,9 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
           double sum = 0;
           for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(b.average[(C::u + d) * n + k]);
           if (!std::isfinite(sum + c2) || !(rho > 0) || !eos.admissible(rho))
-            throw PhysicsError(fmt::format("{} has no admissible state at {}: density {:.6g} kg/m3, pressure {:.6g} GPa",
-                                           body.name, place_of(state, slot, i - state.mesh.block(slot).cells.lo), rho,
-                                           p * 1e-9));
+            throw PhysicsError(fmt::format(
+                "{} has no admissible state at {}: density {:.6g} kg/m3, pressure {:.6g} GPa", body.name,
+                place_of(state, slot, i - state.mesh.block(slot).cells.lo), rho, p * 1e-9));
           if (c2 < least) ++counters.floored_sound_speeds;
           sum += Dim * std::sqrt((c2 > least ? c2 : least) + 4 * g / (3 * rho));
           fastest = sum > fastest ? sum : fastest;
@@ -174,13 +177,13 @@ void clear_bad_states(BodyBlock<Dim>& b) {
   for (std::uint8_t& r : b.role) r &= static_cast<std::uint8_t>(~bad_state);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                \
-  template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);              \
-  template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);        \
-  template double fastest_signal<Dim>(const State<Dim>&, const Body<Dim>&, int, Counters&);    \
-  template std::int64_t mark_bad_states<Dim>(const State<Dim>&, Body<Dim>&, int);              \
-  template bool has_bad_state<Dim>(const BodyBlock<Dim>&);                                     \
-  template void clear_bad_states<Dim>(BodyBlock<Dim>&);                                        \
+#define RECOIL_INSTANTIATE(Dim)                                                             \
+  template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);           \
+  template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);     \
+  template double fastest_signal<Dim>(const State<Dim>&, const Body<Dim>&, int, Counters&); \
+  template std::int64_t mark_bad_states<Dim>(const State<Dim>&, Body<Dim>&, int);           \
+  template bool has_bad_state<Dim>(const BodyBlock<Dim>&);                                  \
+  template void clear_bad_states<Dim>(BodyBlock<Dim>&);                                     \
   template bool inadmissible<Dim>(const Material&, const Contents<Dim>&, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

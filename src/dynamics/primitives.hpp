@@ -7,7 +7,8 @@ namespace recoil {
 
 /// Least part of a whole cell that a piece must fill to take part in fits, and to stand in stencils itself.
 inline constexpr double donor_fill = 0.3, regular_fill = 0.5;
-/// Wave speeds use at least this part of c0^2; states below are counted, and inadmissible below admissible_sound.
+/// Wave speeds use at least this part of c0^2; states below are counted, and inadmissible below
+/// admissible_sound.
 inline constexpr double least_sound = 0.05, admissible_sound = 0.02;
 inline constexpr double least_density = 0.5, largest_density = 2.5;  // of rho0, admissible
 
@@ -35,8 +36,8 @@ Primitives<Dim> to_primitives(const EosModel& eos, const Contents<Dim>& q, doubl
 template <int Dim>
 void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 
-/// Primitives of the averages of all donors of a block, into BodyBlock::average. @throws PhysicsError for a state
-/// that is not finite or has no density.
+/// Primitives of the averages of all donors of a block, into BodyBlock::average. @throws PhysicsError for a
+/// state that is not finite or has no density.
 template <int Dim>
 void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 
@@ -44,11 +45,13 @@ void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Coun
 template <int Dim>
 double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, Counters& counters);
 
-/// Whether contents are beyond what the equations admit: density outside 0.5-2.5 rho0, or c^2 below 0.02 c0^2.
+/// Whether contents are beyond what the equations admit: density outside 0.5-2.5 rho0, or c^2 below 0.02
+/// c0^2.
 template <int Dim>
 bool inadmissible(const Material& material, const Contents<Dim>& contents, double volume);
 
-/// Marks (Role::bad_state) the pieces of a block above 0.02 of a cell whose state is inadmissible. @returns how many.
+/// Marks (Role::bad_state) the pieces of a block above 0.02 of a cell whose state is inadmissible. @returns
+/// how many.
 template <int Dim>
 std::int64_t mark_bad_states(const State<Dim>& state, Body<Dim>& body, int slot);
 template <int Dim>

@@ -4,9 +4,10 @@
 
 namespace recoil {
 
-/// WENO5-Z (Borges et al. 2008): the value at the face between c and d, seen from c; a and b lie behind, e beyond.
-/// Written as c plus a correction, so that a constant stays constant to the last bit, and with the smoothness
-/// ratios multiplied out, so that there is one division. `least` sets the scale below which data count as smooth.
+/// WENO5-Z (Borges et al. 2008): the value at the face between c and d, seen from c; a and b lie behind, e
+/// beyond. Written as c plus a correction, so that a constant stays constant to the last bit, and with the
+/// smoothness ratios multiplied out, so that there is one division. `least` sets the scale below which data
+/// count as smooth.
 [[gnu::always_inline]] inline double weno5z(double a, double b, double c, double d, double e, double least) {
   const double a2 = a - 2 * b + c, b2 = b - 2 * c + d, c2 = c - 2 * d + e;
   const double a1 = a - 4 * b + 3 * c, b1 = b - d, c1 = 3 * c - 4 * d + e;

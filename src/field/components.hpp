@@ -15,8 +15,8 @@ template <int Dim>
 struct Components {
   static constexpr int stresses = Dim == 1 ? 1 : Dim == 2 ? 3 : 5;
   static constexpr int rho = 0;
-  static constexpr int u = 1;           // momentum in contents
-  static constexpr int p = 1 + Dim;     // total energy in contents
+  static constexpr int u = 1;        // momentum in contents
+  static constexpr int p = 1 + Dim;  // total energy in contents
   static constexpr int energy = p;
   static constexpr int s = 2 + Dim;
   static constexpr int ep = s + stresses;

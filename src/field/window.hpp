@@ -15,16 +15,16 @@ enum class Beyond {
   nothing  // the value for absent cells at both
 };
 
-/// A block and the cells around it, up to `halo` away, read from the block and its neighbours. No block stores
-/// ghost cells: a kernel gathers what it reads into a window of its own, as wide as it needs.
+/// A block and the cells around it, up to `halo` away, read from the block and its neighbours. No block
+/// stores ghost cells: a kernel gathers what it reads into a window of its own, as wide as it needs.
 template <int Dim>
 class Window {
  public:
   /// Where a cell of the window really lives.
   struct Source {
-    int slot = -1;        // -1: beyond the edge of the domain or of what exists
-    int cell = 0;         // in the block's layout
-    unsigned flips = 0;   // bit d: mirrored along axis d
+    int slot = -1;       // -1: beyond the edge of the domain or of what exists
+    int cell = 0;        // in the block's layout
+    unsigned flips = 0;  // bit d: mirrored along axis d
   };
 
   Window(const Mesh<Dim>& mesh, int slot, int halo) : Window(mesh, slot, halo, mesh.block(slot).cells) {}
@@ -143,7 +143,8 @@ class Window {
   void map_axis(const Block<Dim>& block, int d) {
     const int n = box_.extent(d);
     const auto axis = static_cast<std::size_t>(d);
-    for (int i = 0; i < n; ++i) axis_[axis][static_cast<std::size_t>(i)] = map_index(block, d, box_.lo[d] + i);
+    for (int i = 0; i < n; ++i)
+      axis_[axis][static_cast<std::size_t>(i)] = map_index(block, d, box_.lo[d] + i);
     if (d != 0) return;
     runs_ = 0;
     for (int i = 0; i < n; ++i) {
@@ -151,8 +152,8 @@ class Window {
       if (runs_ > 0) {
         Run& run = run_[static_cast<std::size_t>(runs_ - 1)];
         const int step = a.local - (run.local + (run.n - 1) * run.step);
-        if (a.offset == run.offset && a.flip == run.flip && a.outside == run.outside && a.open == run.open && step >= -1 && step <= 1 &&
-            (run.n == 1 || step == run.step)) {
+        if (a.offset == run.offset && a.flip == run.flip && a.outside == run.outside && a.open == run.open &&
+            step >= -1 && step <= 1 && (run.n == 1 || step == run.step)) {
           run.step = step;
           ++run.n;
           continue;
@@ -163,7 +164,8 @@ class Window {
   }
 
   template <class T, class From>
-  void gather_row(const Index<Dim>& row, const From& from, T missing, Beyond beyond, T* out, unsigned odd) const {
+  void gather_row(const Index<Dim>& row, const From& from, T missing, Beyond beyond, T* out,
+                  unsigned odd) const {
     int block_row = 0, cell_row = 0, block_stride = 3, cell_stride = layout_.extent(0);
     bool outside = false, open = false;
     unsigned flips = 0;

@@ -41,7 +41,8 @@ Matrix<Dim> inverse(const Matrix<Dim>& m) {
   return a;
 }
 
-/// The donors around one surface point, within a box of `half` cells. Appends to block.donors; places go to `place`.
+/// The donors around one surface point, within a box of `half` cells. Appends to block.donors; places go to
+/// `place`.
 template <int Dim>
 int collect(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, const std::uint8_t* role,
             const Vec<Dim>& point, int half, std::vector<Donor<Dim>>& donors) {
@@ -128,7 +129,8 @@ void lone_fit(const Body<Dim>& body, const BodyBlock<Dim>& b, int cell, double f
 }
 
 template <int Dim, class EosModel>
-void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& b, Wall<Dim>& wall, std::size_t n) {
+void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& b, Wall<Dim>& wall,
+              std::size_t n) {
   using C = Components<Dim>;
   constexpr std::size_t count = EosModel::barotropic ? C::primitives : C::contents;
   const Donor<Dim>* const donors = b.donors.data() + wall.first_donor;
@@ -154,7 +156,8 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& 
     if (c == C::p) wall.range[C::extra] = mean;  // kept for the density below
   }
   const double rho = wall.value[C::rho], mean_p = wall.range[C::extra];
-  const double c0 = bulk_sound_speed(eos), c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_sound * c0 * c0);
+  const double c0 = bulk_sound_speed(eos),
+               c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_sound * c0 * c0);
   wall.value[C::rho] = rho + std::clamp((wall.value[C::p] - mean_p) / c2, -0.4 * rho, 0.6 * rho);
   wall.value[C::ep] = std::max(0.0, wall.value[C::ep]);
   wall.range[C::extra] = 0;
@@ -170,8 +173,8 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   if (b.geometry.cuts.empty()) return;
   const Window<Dim> w(state.mesh, slot, fit_reach, b.matter);
   auto* role = scratch.take<std::uint8_t>(static_cast<std::size_t>(w.size()));
-  w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0}, Beyond::extend,
-           role);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
+           Beyond::extend, role);
   for (std::size_t m = 0; m < b.walls.size(); ++m) {
     Wall<Dim>& wall = b.walls[m];
     wall.first_donor = static_cast<int>(b.donors.size());
@@ -204,8 +207,8 @@ void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot) {
       body.material.eos);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                     \
-  template void choose_donors<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);        \
+#define RECOIL_INSTANTIATE(Dim)                                                              \
+  template void choose_donors<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&); \
   template void evaluate_fits<Dim>(const State<Dim>&, Body<Dim>&, int);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -5,10 +5,10 @@
 
 namespace recoil {
 
-/// Chooses the donors and weights of one linear least-squares fit at the surface point of every cut cell of a block:
-/// pieces with V > 0.3 full whose centroids lie within |x_d| <= 2.35 dx of it (a box, whose weights separate, so
-/// that aligned problems reduce to 1-D), weighted with exp(-0.6 r^2/dx^2) min(V/full, 1); a wider box where there
-/// is none. Once a step. Writes BodyBlock::walls and ::donors.
+/// Chooses the donors and weights of one linear least-squares fit at the surface point of every cut cell of a
+/// block: pieces with V > 0.3 full whose centroids lie within |x_d| <= 2.35 dx of it (a box, whose weights
+/// separate, so that aligned problems reduce to 1-D), weighted with exp(-0.6 r^2/dx^2) min(V/full, 1); a
+/// wider box where there is none. Once a step. Writes BodyBlock::walls and ::donors.
 template <int Dim>
 void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch);
 

@@ -11,14 +11,15 @@ namespace recoil {
 
 namespace {
 
-constexpr int layers = 3;       // ghost cells that a face reads on each side
-constexpr int wall_reach = 8;   // foot points lie up to 5 cells away, their walls 2 more
+constexpr int layers = 3;      // ghost cells that a face reads on each side
+constexpr int wall_reach = 8;  // foot points lie up to 5 cells away, their walls 2 more
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
 
 /// Whether the low face across axis d of cell i of a window is open.
 template <int Dim>
-bool open_low_face(const Body<Dim>& body, const Window<Dim>& w, const CellKind* kind, const Index<Dim>& i, int d) {
+bool open_low_face(const Body<Dim>& body, const Window<Dim>& w, const CellKind* kind, const Index<Dim>& i,
+                   int d) {
   const CellKind k = kind[w.at(i)];
   if (k != CellKind::cut) return k == CellKind::full;
   const auto from = w.source(i);
@@ -82,8 +83,8 @@ double sound_squared(const Material& m, double rho, double p) {
       m.eos);
 }
 
-/// Adds to velocity and deviator of w: du along the normal, and so on. normal_stress: change of S_nn; shear: change of
-/// the shear traction; rest: change of the tangential block, as a full matrix.
+/// Adds to velocity and deviator of w: du along the normal, and so on. normal_stress: change of S_nn; shear:
+/// change of the shear traction; rest: change of the tangential block, as a full matrix.
 template <int Dim>
 struct Change {
   double normal_velocity = 0, normal_deviator = 0;
@@ -100,21 +101,24 @@ void apply(Primitives<Dim>& w, const Change<Dim>& x, const Vec<Dim>& n) {
       const int c = C::stress(i, j);
       if (c >= 0)
         w[static_cast<std::size_t>(C::s + c)] += x.normal_deviator * n[i] * n[j] + x.shear[i] * n[j] +
-                                                 n[i] * x.shear[j] + x.tangential[static_cast<std::size_t>(i)][j];
+                                                 n[i] * x.shear[j] +
+                                                 x.tangential[static_cast<std::size_t>(i)][j];
     }
   }
 }
 
 /// The tangential block of a deviator: S - S_nn n n - (t n + n t).
 template <int Dim>
-std::array<Vec<Dim>, Dim> tangential_block(const Primitives<Dim>& w, const SurfaceState<Dim>& s, const Vec<Dim>& n) {
+std::array<Vec<Dim>, Dim> tangential_block(const Primitives<Dim>& w, const SurfaceState<Dim>& s,
+                                           const Vec<Dim>& n) {
   using C = Components<Dim>;
   std::array<Vec<Dim>, Dim> m{};
   for (int i = 0; i < Dim; ++i)
     for (int j = 0; j < Dim; ++j) {
       const int c = C::stress(i, j);
       const double sij = c >= 0 ? w[static_cast<std::size_t>(C::s + c)] : -(w[C::s] + w[C::s + 1]);
-      m[static_cast<std::size_t>(i)][j] = sij - s.deviator * n[i] * n[j] - s.shear[i] * n[j] - n[i] * s.shear[j];
+      m[static_cast<std::size_t>(i)][j] =
+          sij - s.deviator * n[i] * n[j] - s.shear[i] * n[j] - n[i] * s.shear[j];
     }
   return m;
 }
@@ -129,8 +133,8 @@ Primitives<Dim> slope_along(const Wall<Dim>& wall, const Vec<Dim>& n, double dx)
 
 /// Moves the average of a regular cut cell from its centroid to the cell's centre.
 template <int Dim>
-Primitives<Dim> centred(const Grid<Dim>& grid, const Material& material, const CutCell<Dim>& cut, const Wall<Dim>& wall,
-                        const Index<Dim>& i, Primitives<Dim> w) {
+Primitives<Dim> centred(const Grid<Dim>& grid, const Material& material, const CutCell<Dim>& cut,
+                        const Wall<Dim>& wall, const Index<Dim>& i, Primitives<Dim> w) {
   using C = Components<Dim>;
   const Vec<Dim>& n = wall.normal;
   const auto here = resolve<Dim>(w, n);
@@ -174,7 +178,8 @@ Primitives<Dim> wall_value(const Wall<Dim>& wall, const GhostCell<Dim>& ghost, d
   return v;
 }
 
-/// Largest change of normal stress and of velocity that a ghost may show: what the donors of the fit differ by.
+/// Largest change of normal stress and of velocity that a ghost may show: what the donors of the fit differ
+/// by.
 template <int Dim>
 double stress_range(const Wall<Dim>& wall) {
   using C = Components<Dim>;
@@ -189,7 +194,8 @@ double stress_range(const Wall<Dim>& wall) {
 }
 
 template <int Dim>
-Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, const Wall<Dim>& wall, const GhostCell<Dim>& ghost) {
+Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, const Wall<Dim>& wall,
+                            const GhostCell<Dim>& ghost) {
   using C = Components<Dim>;
   const Vec<Dim>& n = ghost.normal;
   Primitives<Dim> v = wall_value(wall, ghost, grid.dx);
@@ -199,7 +205,8 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
     if ((ghost.flips >> d & 1U) != 0) own[d] = -own[d];
   const auto g = resolve<Dim>(slope_along(wall, own, grid.dx), own);
   double speed2 = 0;
-  for (int d = 0; d < Dim; ++d) speed2 += wall.range[static_cast<std::size_t>(C::u + d)] * wall.range[static_cast<std::size_t>(C::u + d)];
+  for (int d = 0; d < Dim; ++d)
+    speed2 += wall.range[static_cast<std::size_t>(C::u + d)] * wall.range[static_cast<std::size_t>(C::u + d)];
   const double most_u = std::sqrt(speed2), most_s = stress_range(wall);
   const double du = wall.partners != 0 ? std::clamp(g.velocity * ghost.distance, -most_u, most_u) : 0;
   const double stress = wall.traction + std::clamp(g.stress * ghost.distance, -most_s, most_s);
@@ -228,11 +235,12 @@ void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& 
   double* phi = scratch.take<double>(n);
   auto* kind = scratch.take<CellKind>(n);
   int* index = scratch.take<int>(n);
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx, Beyond::extend,
-           phi);
-  w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.kind.data() : nullptr; }, CellKind::empty,
-           Beyond::extend, kind);
-  w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1, Beyond::mirror, index);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx,
+           Beyond::extend, phi);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.kind.data() : nullptr; },
+           CellKind::empty, Beyond::extend, kind);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1,
+           Beyond::mirror, index);
   for_each(w.inner(), [&](const Index<Dim>& i) {
     const int cell = w.cell(i);
     if ((b.role[static_cast<std::size_t>(cell)] & regular) != 0 || !read_by_a_face(body, w, kind, i)) return;
@@ -276,8 +284,8 @@ void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Cou
   }
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                             \
-  template void choose_ghosts<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);           \
+#define RECOIL_INSTANTIATE(Dim)                                                   \
+  template void choose_ghosts<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&); \
   template void fill_stencil_values<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

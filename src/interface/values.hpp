@@ -5,15 +5,16 @@
 
 namespace recoil {
 
-/// Lists the cells of a block that a reconstruction reads but whose pieces are too small to stand for themselves
-/// (within three of an open face, along its axis), each with the nearest cut cell, whose wall speaks for it.
-/// Once a step. Writes BodyBlock::ghosts.
+/// Lists the cells of a block that a reconstruction reads but whose pieces are too small to stand for
+/// themselves (within three of an open face, along its axis), each with the nearest cut cell, whose wall
+/// speaks for it. Once a step. Writes BodyBlock::ghosts.
 template <int Dim>
 void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
 
 /// The values that reconstructions read in this stage (BodyBlock::stencil, Role::valued):
-/// regular uncut cells their average; regular cut cells their average moved from the centroid to the cell's centre
-/// with a limited slope along the normal; ghost cells the state of their wall, continued along the normal.
+/// regular uncut cells their average; regular cut cells their average moved from the centroid to the cell's
+/// centre with a limited slope along the normal; ghost cells the state of their wall, continued along the
+/// normal.
 template <int Dim>
 void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 

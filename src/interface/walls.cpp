@@ -11,9 +11,11 @@ namespace recoil {
 
 namespace {
 
-constexpr double touching_gap = 0.5;   // surfaces farther apart [dx] do not meet in this step
-constexpr double settled_gap = 0.1;    // below this [dx], what was in contact stays so without closing a gap first
-constexpr double small_face = 0.1;     // of dx^(Dim-1): a smaller part of a surface takes its normal from elsewhere
+constexpr double touching_gap = 0.5;  // surfaces farther apart [dx] do not meet in this step
+constexpr double settled_gap =
+    0.1;  // below this [dx], what was in contact stays so without closing a gap first
+constexpr double small_face =
+    0.1;  // of dx^(Dim-1): a smaller part of a surface takes its normal from elsewhere
 
 /// One body's piece of the cell at hand.
 template <int Dim>
@@ -32,8 +34,8 @@ struct Around {
   State<Dim>& state;
   int slot;
   Window<Dim> window;
-  double dt, booked, area;                   // dx^(Dim-1)
-  std::vector<const double*> phi;            // by body, in the window; null where absent
+  double dt, booked, area;         // dx^(Dim-1)
+  std::vector<const double*> phi;  // by body, in the window; null where absent
   std::vector<const std::uint32_t*> contact;
 
   double dx() const { return state.grid().dx; }
@@ -41,20 +43,21 @@ struct Around {
 
 template <int Dim>
 Around<Dim> look_around(State<Dim>& state, int slot, double dt, double share, Scratch& scratch) {
-  Around<Dim> a{state, slot, Window<Dim>(state.mesh, slot, 1), dt, share * dt, state.grid().dx_power(Dim - 1), {}, {}};
+  Around<Dim> a{state, slot, Window<Dim>(state.mesh, slot, 1), dt, share * dt, state.grid().dx_power(Dim - 1),
+                {},    {}};
   const auto n = static_cast<std::size_t>(a.window.size());
   for (const Body<Dim>& body : state.bodies) {
     a.phi.push_back(nullptr);
     a.contact.push_back(nullptr);
     if (!body.present(slot)) continue;
     double* phi = scratch.take<double>(n);
-    a.window.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * a.dx(),
-                    Beyond::extend, phi);
+    a.window.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; },
+                    far_cells * a.dx(), Beyond::extend, phi);
     a.phi.back() = phi;
     if (body.rigid) continue;
     auto* contact = scratch.take<std::uint32_t>(n);
-    a.window.gather([&](int s) { return body.present(s) ? body.at(s).contact.data() : nullptr; }, std::uint32_t{0},
-                    Beyond::extend, contact);
+    a.window.gather([&](int s) { return body.present(s) ? body.at(s).contact.data() : nullptr; },
+                    std::uint32_t{0}, Beyond::extend, contact);
     a.contact.back() = contact;
   }
   return a;
@@ -98,8 +101,8 @@ double shared_area(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>
 }
 
 template <int Dim>
-void record(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, const Touch& t, const Vec<Dim>& e,
-            double area, double gap) {
+void record(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, const Touch& t,
+            const Vec<Dim>& e, double area, double gap) {
   auto& ledger = a.state.ledger[static_cast<std::size_t>(a.slot)];
   const bool in_order = first.body < second.body;
   PairRecord<Dim>& r = ledger.pairs[static_cast<std::size_t>(
@@ -119,8 +122,8 @@ void record(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& secon
 }
 
 template <int Dim>
-void touch_part(Side<Dim>& s, int partner, const SurfaceState<Dim>& state, const Vec<Dim>& e, double sign, double normal_velocity,
-                const Touch& t, double area) {
+void touch_part(Side<Dim>& s, int partner, const SurfaceState<Dim>& state, const Vec<Dim>& e, double sign,
+                double normal_velocity, const Touch& t, double area) {
   // The shear traction on the outward normal sign * e is sign * state.shear.
   const Vec<Dim> velocity = normal_velocity * e + state.sliding - sign * shear_recoil(state);
   act(s, sign * t.traction * area * e, sign * t.traction * area * t.work_velocity, velocity, sign * area * e);
@@ -135,13 +138,16 @@ void touch_part(Side<Dim>& s, int partner, const SurfaceState<Dim>& state, const
 }
 
 template <int Dim>
-void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double gap, const Index<Dim>& i, double face) {
+void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double gap, const Index<Dim>& i,
+              double face) {
   Vec<Dim> e;
   const double area = shared_area(a, first, second, i, e);
   if (area <= 1e-12 * face) return;
   const auto& bodies = a.state.bodies;
-  const Body<Dim>&one = bodies[static_cast<std::size_t>(first.body)], &other = bodies[static_cast<std::size_t>(second.body)];
-  const bool was = was_in_contact(a, first.body, second.body, i) || was_in_contact(a, second.body, first.body, i);
+  const Body<Dim>&one = bodies[static_cast<std::size_t>(first.body)],
+        &other = bodies[static_cast<std::size_t>(second.body)];
+  const bool was =
+      was_in_contact(a, first.body, second.body, i) || was_in_contact(a, second.body, first.body, i);
   const double gap_speed = was && gap < settled_gap * a.dx() ? 0 : std::max(gap, 0.0) / a.dt;
   const auto s = surface_state(one.material, first.wall->value, e);
   const ContactSide mine{s.velocity, s.stress, s.impedance};
@@ -160,7 +166,8 @@ void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double 
   record(a, first, second, t, e, area, gap);
 }
 
-/// All pairs that meet in a cell, smallest gap first: each takes what the ones before have left of the surfaces.
+/// All pairs that meet in a cell, smallest gap first: each takes what the ones before have left of the
+/// surfaces.
 template <int Dim>
 void touch_all(const Around<Dim>& a, std::vector<Side<Dim>>& sides, const Index<Dim>& i, double face) {
   struct Pair {
@@ -176,13 +183,15 @@ void touch_all(const Around<Dim>& a, std::vector<Side<Dim>>& sides, const Index<
       const Side<Dim>& first = sides[swap ? q : m];
       const Grid<Dim>& grid = a.state.grid();
       const double gap =
-          interpolate(grid, a.window.box(), a.phi[static_cast<std::size_t>(sides[m].body)], first.cut->point) +
+          interpolate(grid, a.window.box(), a.phi[static_cast<std::size_t>(sides[m].body)],
+                      first.cut->point) +
           interpolate(grid, a.window.box(), a.phi[static_cast<std::size_t>(sides[q].body)], first.cut->point);
       if (gap <= touching_gap * a.dx() && n < pairs.size()) pairs[n++] = {gap, swap ? q : m, swap ? m : q};
     }
   std::stable_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(n),
                    [](const Pair& x, const Pair& y) { return x.gap < y.gap; });
-  for (std::size_t k = 0; k < n; ++k) try_pair(a, sides[pairs[k].first], sides[pairs[k].second], pairs[k].gap, i, face);
+  for (std::size_t k = 0; k < n; ++k)
+    try_pair(a, sides[pairs[k].first], sides[pairs[k].second], pairs[k].gap, i, face);
 }
 
 /// What no partner has touched is free: no traction, velocity u - sigma/Z n - tau/Z_s.
@@ -200,11 +209,13 @@ void free_part(const Around<Dim>& a, Side<Dim>& s, const Index<Dim>& i, double f
   if (contact && rest <= small_face * face) {
     velocity = w.face_velocity;
   } else {
-    Vec<Dim> n = rest > small_face * face ? s.rest * (1 / rest)
-                                          : phi_normal(a.window.box(), a.phi[static_cast<std::size_t>(s.body)], i, a.dx());
+    Vec<Dim> n = rest > small_face * face
+                     ? s.rest * (1 / rest)
+                     : phi_normal(a.window.box(), a.phi[static_cast<std::size_t>(s.body)], i, a.dx());
     const Material& material = a.state.bodies[static_cast<std::size_t>(s.body)].material;
     const auto state = surface_state(material, w.value, n);
-    velocity = free_velocity(state.velocity, state.stress, state.impedance) * n + state.sliding - shear_recoil(state);
+    velocity = free_velocity(state.velocity, state.stress, state.impedance) * n + state.sliding -
+               shear_recoil(state);
     if (!contact) {
       w.normal = n;
       w.face_velocity = velocity;
@@ -236,7 +247,8 @@ SurfaceState<Dim> resolve(const Primitives<Dim>& value, const Vec<Dim>& e) {
     u[i] = value[static_cast<std::size_t>(C::u + i)];
     for (int j = 0; j < Dim; ++j) {
       const int c = C::stress(i, j);
-      const double sij = c >= 0 ? value[static_cast<std::size_t>(C::s + c)] : -(value[C::s] + value[C::s + 1]);
+      const double sij =
+          c >= 0 ? value[static_cast<std::size_t>(C::s + c)] : -(value[C::s] + value[C::s + 1]);
       t[i] += sij * e[j];
     }
   }
@@ -297,8 +309,13 @@ void find_walls(State<Dim>& state, int slot, double dt, double share, Scratch& s
         if (at < 0) continue;
         if (!other.rigid && q < m) mine = false;
         const CutCell<Dim>& c = b.geometry.cuts[static_cast<std::size_t>(at)];
-        sides.push_back({q, other.rigid.has_value(), &c, other.rigid ? nullptr : &b.walls[static_cast<std::size_t>(at)],
-                         c.surface, 0, {}});
+        sides.push_back({q,
+                         other.rigid.has_value(),
+                         &c,
+                         other.rigid ? nullptr : &b.walls[static_cast<std::size_t>(at)],
+                         c.surface,
+                         0,
+                         {}});
       }
       if (!mine) continue;
       const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
@@ -320,10 +337,10 @@ void remember_contact(BodyBlock<Dim>& b) {
     b.contact[static_cast<std::size_t>(b.geometry.cuts[m].cell)] = b.walls[m].partners;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                                  \
-  template SurfaceState<Dim> resolve<Dim>(const Primitives<Dim>&, const Vec<Dim>&);                             \
-  template SurfaceState<Dim> surface_state<Dim>(const Material&, const Primitives<Dim>&, const Vec<Dim>&);     \
-  template void find_walls<Dim>(State<Dim>&, int, double, double, Scratch&);                                    \
+#define RECOIL_INSTANTIATE(Dim)                                                                            \
+  template SurfaceState<Dim> resolve<Dim>(const Primitives<Dim>&, const Vec<Dim>&);                        \
+  template SurfaceState<Dim> surface_state<Dim>(const Material&, const Primitives<Dim>&, const Vec<Dim>&); \
+  template void find_walls<Dim>(State<Dim>&, int, double, double, Scratch&);                               \
   template void remember_contact<Dim>(BodyBlock<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

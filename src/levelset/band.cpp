@@ -15,8 +15,8 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
   if (!around) return choice;
   const Window<Dim> w(state.mesh, slot, 2);
   double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx, Beyond::extend,
-           phi);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx,
+           Beyond::extend, phi);
   const double band = band_cells * grid.dx;
   bool inside = false;
   for (int k = 0; k < w.size(); ++k) {
@@ -25,7 +25,8 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
   }
   choice.present = choice.near_surface || (inside && !body.rigid);
   for_each(w.inner(), [&](const Index<Dim>& i) {
-    if (phi[w.at(i)] < reach_cells * grid.dx || (b.present && !body.rigid && b.volume[static_cast<std::size_t>(w.cell(i))] != 0))
+    if (phi[w.at(i)] < reach_cells * grid.dx ||
+        (b.present && !body.rigid && b.volume[static_cast<std::size_t>(w.cell(i))] != 0))
       extend(choice.reach, i);
   });
   if (!b.present || body.rigid) return choice;
@@ -71,8 +72,8 @@ void apply_band(const State<Dim>& state, Body<Dim>& body, int slot, const BandCh
   std::fill(b.contact.begin(), b.contact.end(), 0U);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                                \
-  template BandChoice<Dim> choose_band<Dim>(const State<Dim>&, const Body<Dim>&, int, Scratch&);              \
+#define RECOIL_INSTANTIATE(Dim)                                                                  \
+  template BandChoice<Dim> choose_band<Dim>(const State<Dim>&, const Body<Dim>&, int, Scratch&); \
   template void apply_band<Dim>(const State<Dim>&, Body<Dim>&, int, const BandChoice<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -5,8 +5,9 @@
 
 namespace recoil {
 
-/// Which blocks a body needs next: those that hold its matter or cells within 7.5 dx of its surface; and which of them
-/// lie near the surface. `enter` and `near` are decided from the state of all blocks, then applied at once.
+/// Which blocks a body needs next: those that hold its matter or cells within 7.5 dx of its surface; and
+/// which of them lie near the surface. `enter` and `near` are decided from the state of all blocks, then
+/// applied at once.
 template <int Dim>
 struct BandChoice {
   bool present = false, near_surface = false;

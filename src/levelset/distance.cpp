@@ -11,8 +11,8 @@ constexpr double pseudo_step = 0.45;  // of the smallest distance used
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
 
-/// Distance from a cell to the zero of the level set towards its neighbour, by a parabola; -1 where there is none.
-/// Values: two before, the cell, the neighbour, one after.
+/// Distance from a cell to the zero of the level set towards its neighbour, by a parabola; -1 where there is
+/// none. Values: two before, the cell, the neighbour, one after.
 double zero_towards(double before, double here, double there, double after, double h) {
   if (here * there > 0) return -1;
   const double curvature = minmod(before - 2 * here + there, here - 2 * there + after);
@@ -27,8 +27,8 @@ double zero_towards(double before, double here, double there, double after, doub
   return std::max(drop > 1e-300 ? h * here / (here - there) : 0.5 * h, least);
 }
 
-/// One-sided slope from the cell (value p[0]) to its neighbour st away, second order, with the zero at distance
-/// `zero` where the surface lies between (zero > 0). sign +1: towards higher index.
+/// One-sided slope from the cell (value p[0]) to its neighbour st away, second order, with the zero at
+/// distance `zero` where the surface lies between (zero > 0). sign +1: towards higher index.
 double slope(const double* p, int st, double zero, double h, double& nearest) {
   const double here = p[st] - 2 * p[0] + p[-st], there = p[2 * st] - 2 * p[st] + p[0];
   const double curvature = minmod(here, there) / (h * h);
@@ -84,7 +84,8 @@ Foot<Dim> foot_point(const Grid<Dim>& grid, const Box<Dim>& window, const double
 }
 
 template <int Dim>
-void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, double frozen, Scratch& scratch) {
+void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, double frozen,
+                Scratch& scratch) {
   const double h = state.grid().dx, far = far_cells * h;
   const Window<Dim> w(state.mesh, slot, 2 * sweeps);
   const auto n = static_cast<std::size_t>(w.size());
@@ -107,7 +108,7 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
   for_each(w.inner(), [&](const Index<Dim>& i) { out[w.cell(i)] = p[w.at(i)]; });
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                           \
+#define RECOIL_INSTANTIATE(Dim)                                                                            \
   template Foot<Dim> foot_point<Dim>(const Grid<Dim>&, const Box<Dim>&, const double*, const Index<Dim>&); \
   template void redistance<Dim>(const State<Dim>&, Body<Dim>&, int, int, double, Scratch&);
 RECOIL_INSTANTIATE(1)

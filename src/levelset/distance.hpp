@@ -25,6 +25,7 @@ Foot<Dim> foot_point(const Grid<Dim>& grid, const Box<Dim>& window, const double
 /// @param frozen cells with |phi| below this many dx keep their value; negative: none.
 /// @param sweeps at most 4.
 template <int Dim>
-void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, double frozen, Scratch& scratch);
+void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, double frozen,
+                Scratch& scratch);
 
 }  // namespace recoil

@@ -36,7 +36,8 @@ double advection(const Box<Dim>& window, const double* phi, int k, const Vec<Dim
 template <int Dim>
 Vec<Dim> carrier_at(const BodyBlock<Dim>& b, int cell, std::size_t n) {
   Vec<Dim> u;
-  for (int d = 0; d < Dim; ++d) u[d] = b.carrier[static_cast<std::size_t>(d) * n + static_cast<std::size_t>(cell)];
+  for (int d = 0; d < Dim; ++d)
+    u[d] = b.carrier[static_cast<std::size_t>(d) * n + static_cast<std::size_t>(cell)];
   return u;
 }
 
@@ -74,8 +75,8 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
   int* index = scratch.take<int>(n);
   w.gather([&](int s) { return body.present(s) ? body.at(s).phi_next.data() : nullptr; }, far_cells * dx,
            Beyond::extend, phi);
-  w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1, Beyond::mirror,
-           index);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1,
+           Beyond::mirror, index);
   const auto cells = static_cast<std::size_t>(grid.layout().size());
   for_each(w.inner(), [&](const Index<Dim>& i) {
     if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
@@ -91,8 +92,8 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
         const auto& home = body.at(from.slot);
         const CutCell<Dim>& cut = home.geometry.cuts[static_cast<std::size_t>(at)];
         const Vec<Dim> r = w.appear(j, from, cut.point) - foot.point;
-        const double weight = std::exp(-2 * dot(r, r) / (dx * dx)) *
-                              (norm(cut.surface) * per_area / grid.radius(j[0]) + 0.02);
+        const double weight =
+            std::exp(-2 * dot(r, r) / (dx * dx)) * (norm(cut.surface) * per_area / grid.radius(j[0]) + 0.02);
         const Vec<Dim>& wall = home.walls[static_cast<std::size_t>(at)].mean_velocity;
         weights += weight;
         for (int d = 0; d < Dim; ++d) u[d] += weight * ((from.flips >> d & 1U) != 0 ? -wall[d] : wall[d]);
@@ -100,7 +101,8 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
     if (weights > 0) {
       u *= 1 / weights;
     } else if ((b.role[k] & regular) != 0) {
-      for (int d = 0; d < Dim; ++d) u[d] = b.average[static_cast<std::size_t>(Components<Dim>::u + d) * cells + k];
+      for (int d = 0; d < Dim; ++d)
+        u[d] = b.average[static_cast<std::size_t>(Components<Dim>::u + d) * cells + k];
     }
     const double step = norm(u) * dt;
     if (step > dx) {
@@ -124,7 +126,8 @@ void carry(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratc
   const auto n = static_cast<std::size_t>(grid.layout().size());
   for_each(w.inner(), [&](const Index<Dim>& i) {
     const int k = w.cell(i);
-    b.phi_next[static_cast<std::size_t>(k)] -= dt * advection(w.box(), phi, w.at(i), carrier_at(b, k, n), grid.dx);
+    b.phi_next[static_cast<std::size_t>(k)] -=
+        dt * advection(w.box(), phi, w.at(i), carrier_at(b, k, n), grid.dx);
   });
 }
 
@@ -136,7 +139,8 @@ void carry_again(const State<Dim>& state, Body<Dim>& body, int slot, double dt, 
   const double far = far_cells * grid.dx;
   const Window<Dim> w(state.mesh, slot, 3, b.reach);
   double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi_next.data() : nullptr; }, far, Beyond::extend, phi);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi_next.data() : nullptr; }, far, Beyond::extend,
+           phi);
   const auto n = static_cast<std::size_t>(grid.layout().size());
   for_each(w.inner(), [&](const Index<Dim>& i) {
     const int cell = w.cell(i), k = w.at(i);
@@ -157,10 +161,10 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
   const auto n = static_cast<std::size_t>(w.size());
   double* phi = scratch.take<double>(n);
   int* index = scratch.take<int>(n);
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * dx, Beyond::extend,
-           phi);
-  w.gather([&](int s) { return body.present(s) ? body.at(s).settled.index.data() : nullptr; }, -1, Beyond::mirror,
-           index);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * dx,
+           Beyond::extend, phi);
+  w.gather([&](int s) { return body.present(s) ? body.at(s).settled.index.data() : nullptr; }, -1,
+           Beyond::mirror, index);
   for_each(w.inner(), [&](const Index<Dim>& i) {
     if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);

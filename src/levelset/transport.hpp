@@ -4,9 +4,9 @@
 
 namespace recoil {
 
-/// Sets the velocity that carries phi (BodyBlock::carrier) from the wall velocities of the cut cells near the foot
-/// point on the mid-step surface, weighted with exp(-2 r^2/dx^2) (|A_I|/dx^(Dim-1) + 0.02); zero outside the band.
-/// A speed above dx/dt is capped and counted.
+/// Sets the velocity that carries phi (BodyBlock::carrier) from the wall velocities of the cut cells near the
+/// foot point on the mid-step surface, weighted with exp(-2 r^2/dx^2) (|A_I|/dx^(Dim-1) + 0.02); zero outside
+/// the band. A speed above dx/dt is capped and counted.
 template <int Dim>
 void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Counters& counters,
                           Scratch& scratch);
@@ -20,8 +20,9 @@ void carry(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratc
 template <int Dim>
 void carry_again(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch);
 
-/// phi follows V: phi_next = phi - rate h, h the mismatch (V - V_phi)/A_I of the cut cells (CutCell::mismatch of
-/// the settled geometry) averaged along the surface with exp(-r^2/dx^2) over 5^Dim cells about the foot point.
+/// phi follows V: phi_next = phi - rate h, h the mismatch (V - V_phi)/A_I of the cut cells (CutCell::mismatch
+/// of the settled geometry) averaged along the surface with exp(-r^2/dx^2) over 5^Dim cells about the foot
+/// point.
 template <int Dim>
 void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double rate, Scratch& scratch);
 

@@ -131,11 +131,14 @@ Mesh<Dim>::Mesh(const Grid<Dim>& grid, const parallel::World& world,
   for (int r = 0; r < world.size(); ++r) {
     Peer peer{r, {}, {}};
     for (auto g = ghost->proc_offsets[r]; g < ghost->proc_offsets[r + 1]; ++g) {
-      const auto* q = static_cast<typename L::Quadrant*>(sc_array_index(&ghost->ghosts, static_cast<std::size_t>(g)));
+      const auto* q =
+          static_cast<typename L::Quadrant*>(sc_array_index(&ghost->ghosts, static_cast<std::size_t>(g)));
       const Index<Dim> at = Forest::place(forest_->connectivity, q->p.piggy3.which_tree);
       peer.receive.push_back(static_cast<int>(blocks_.size()));
-      blocks_.push_back({at, cells_at(at),
-                         static_cast<long>(forest->global_first_quadrant[r]) + q->p.piggy3.local_num, {}});
+      blocks_.push_back({at,
+                         cells_at(at),
+                         static_cast<long>(forest->global_first_quadrant[r]) + q->p.piggy3.local_num,
+                         {}});
     }
     for (auto m = ghost->mirror_proc_offsets[r]; m < ghost->mirror_proc_offsets[r + 1]; ++m) {
       const auto which = static_cast<std::size_t>(ghost->mirror_proc_mirrors[m]);
@@ -176,7 +179,8 @@ void Mesh<Dim>::number_neighbours() {
 }
 
 template <int Dim>
-Index<Dim> choose_block(const Index<Dim>& cells, const std::array<std::array<Edge, 2>, Dim>& edge, int wanted) {
+Index<Dim> choose_block(const Index<Dim>& cells, const std::array<std::array<Edge, 2>, Dim>& edge,
+                        int wanted) {
   const int usual = wanted > 0 ? wanted : Dim == 1 ? 64 : Dim == 2 ? 32 : 16;
   Index<Dim> block;
   for (int d = 0; d < Dim; ++d) {
@@ -186,9 +190,11 @@ Index<Dim> choose_block(const Index<Dim>& cells, const std::array<std::array<Edg
     for (int n = widest_halo + 1; n <= 2 * usual + widest_halo && n <= cells[d]; ++n)
       if (cells[d] % n == 0 && (best == 0 || std::abs(n - usual) < std::abs(best - usual))) best = n;
     if (best == 0)
-      throw InputError("error: the periodic axis " + std::to_string(d) + " has " + std::to_string(cells[d]) +
-                       " cells, which whole blocks cannot fill\n   = help: change the domain so that the number of "
-                       "cells along it is a multiple of " + std::to_string(usual));
+      throw InputError(
+          "error: the periodic axis " + std::to_string(d) + " has " + std::to_string(cells[d]) +
+          " cells, which whole blocks cannot fill\n   = help: change the domain so that the number of "
+          "cells along it is a multiple of " +
+          std::to_string(usual));
     block[d] = best;
   }
   return block;

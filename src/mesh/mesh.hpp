@@ -12,10 +12,10 @@ namespace recoil {
 /// One leaf of the forest: a block of cells.
 template <int Dim>
 struct Block {
-  Index<Dim> at{};                                    // place in the lattice of blocks
-  Box<Dim> cells{};                                   // global indices
-  long order = 0;                                     // place along the space-filling curve, over all ranks
-  std::array<int, power<Dim>(3)> neighbour{};         // slots, numbered as the box {-1..1}^Dim; -1: none
+  Index<Dim> at{};                             // place in the lattice of blocks
+  Box<Dim> cells{};                            // global indices
+  long order = 0;                              // place along the space-filling curve, over all ranks
+  std::array<int, power<Dim>(3)> neighbour{};  // slots, numbered as the box {-1..1}^Dim; -1: none
 };
 
 /// What one process sees of the forest: its own blocks in slots [0, local), copies of the other processes'
@@ -26,7 +26,8 @@ class Mesh {
   /// Cuts the domain into blocks and shares them between the processes.
   /// @param weight work of a block, in any unit; blocks are shared so that sums of it are equal.
   /// Collective. @throws InputError where a periodic direction does not hold whole blocks.
-  Mesh(const Grid<Dim>& grid, const parallel::World& world, const std::function<int(const Box<Dim>&)>& weight);
+  Mesh(const Grid<Dim>& grid, const parallel::World& world,
+       const std::function<int(const Box<Dim>&)>& weight);
   ~Mesh();
   Mesh(Mesh&&) noexcept;
 
@@ -60,7 +61,8 @@ class Mesh {
 /// Cells of a block along each axis: `wanted` (0: chosen), or a divisor of the domain where it is periodic.
 /// @throws InputError where no divisor fits.
 template <int Dim>
-Index<Dim> choose_block(const Index<Dim>& cells, const std::array<std::array<Edge, 2>, Dim>& edge, int wanted);
+Index<Dim> choose_block(const Index<Dim>& cells, const std::array<std::array<Edge, 2>, Dim>& edge,
+                        int wanted);
 
 /// The widest window that kernels read around a block; a block is at least that wide, or alone on its axis.
 inline constexpr int widest_halo = 9;

@@ -198,7 +198,7 @@ void Gauges<Dim>::write(Gauge& g, double time) {
   written_.assign(1, time * 1e6);
   for (std::size_t c = 0; c < row_.size(); ++c) {
     g.series.values[c].push_back(row_[c]);
-    written_.push_back(row_[c] * g.series.columns[c].to_unit);
+    written_.push_back(row_[c] * g.series.columns[c].to_unit + 0.0);  // no -0 in files
   }
   g.file->row(written_);
 }

@@ -6,6 +6,12 @@
 
 namespace recoil {
 
+namespace {
+
+constexpr double parted = 0.1;  // dx between surfaces that no longer count as in contact
+
+}  // namespace
+
 template <int Dim>
 void LiftOffWatch<Dim>::note(const State<Dim>& state) {
   if (Dim == 1) return;
@@ -28,7 +34,7 @@ void LiftOffWatch<Dim>::note(const State<Dim>& state) {
 }
 
 template <int Dim>
-void LiftOffWatch<Dim>::scan(const State<Dim>& state, int slot, int pair, const Touched& t,
+void LiftOffWatch<Dim>::scan(const State<Dim>& state, int slot, int pair, Touched& t,
                              parallel::Bytes& out) const {
   const Box<Dim> layout = state.grid().layout();
   const auto& first = state.bodies[static_cast<std::size_t>(t.lower)].at(slot);
@@ -36,7 +42,7 @@ void LiftOffWatch<Dim>::scan(const State<Dim>& state, int slot, int pair, const 
   if (!first.present || !second.present) return;
   for (std::size_t k = 0; k < t.step.size(); ++k) {
     const long since = state.step - t.step[k];
-    if (t.step[k] < 0 || since < opening_steps || since >= 2 * opening_steps) continue;
+    if (t.step[k] < 0 || since < opening_steps) continue;
     const Index<Dim> i = layout.index(static_cast<int>(k));
     Box<Dim> around{i, i};
     for (int d = 0; d < Dim; ++d) {
@@ -50,7 +56,10 @@ void LiftOffWatch<Dim>::scan(const State<Dim>& state, int slot, int pair, const 
       first_near = first_near || first.geometry.index[at] >= 0;
       second_near = second_near || second.geometry.index[at] >= 0;
     });
-    if (touching || !first_near || !second_near) continue;
+    const bool both_near = first_near && second_near;
+    if (both_near && (touching || first.phi[k] + second.phi[k] < parted * state.grid().dx)) continue;
+    t.step[k] = -1;  // decided
+    if (!both_near) continue;
     parallel::pack(out, state.mesh.block(slot).order);
     parallel::pack(out, Place{pair, t.time[k], state.grid().centre(state.mesh.block(slot).cells.lo + i)});
   }
@@ -61,7 +70,7 @@ std::vector<typename LiftOffWatch<Dim>::Place> LiftOffWatch<Dim>::collect(const 
                                                                           const parallel::World& world) {
   if (Dim == 1) return {};
   parallel::Bytes mine;
-  for (const auto& [key, touched] : touched_) scan(state, key.first, key.second, touched, mine);
+  for (auto& [key, touched] : touched_) scan(state, key.first, key.second, touched, mine);
   std::vector<std::pair<long, Place>> found;
   for (const auto& bytes : world.gather(mine)) {
     parallel::Unpacker reader(bytes);

@@ -34,7 +34,7 @@ class LiftOffWatch {
     std::vector<long> step;     // of the last touch, by cell; -1: never
     std::vector<double> time;   // s
   };
-  void scan(const State<Dim>& state, int slot, int pair, const Touched& touched, parallel::Bytes& out) const;
+  void scan(const State<Dim>& state, int slot, int pair, Touched& touched, parallel::Bytes& out) const;
 
   std::map<std::pair<int, int>, Touched> touched_;  // by slot and pair
 };

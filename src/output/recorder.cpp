@@ -46,7 +46,7 @@ void write_events(const std::filesystem::path& path, const std::vector<Event>& e
   for (const Event& e : events) {
     std::string place;
     for (const double x : e.place)
-      place += (place.empty() ? "" : " ") + format_number(std::round(x * 1e9) * 1e-6 + 0.0);
+      place += (place.empty() ? "" : " ") + format_number(std::round(x * 1e9) / 1e6 + 0.0);
     file.row({e.time * 1e6, e.kind, e.bodies, place, e.detail});
   }
   file.flush();

@@ -72,7 +72,8 @@ std::vector<Bytes> World::gather(const Bytes& local) const {
     std::uint64_t n = 0;
     MPI_Recv(&n, 1, MPI_UINT64_T, r, tag_size, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     all.emplace_back(n);
-    MPI_Recv(all.back().data(), static_cast<int>(n), MPI_BYTE, r, tag_data, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    MPI_Recv(all.back().data(), static_cast<int>(n), MPI_BYTE, r, tag_data, MPI_COMM_WORLD,
+             MPI_STATUS_IGNORE);
   }
   return all;
 }

@@ -61,8 +61,8 @@ bool on_edge(const std::array<double, 2>& a, const std::array<double, 2>& b, con
   return false;
 }
 
-double polygon_distance(const std::vector<std::array<double, 2>>& v, const config::Domain& domain, bool turned,
-                        const Vec<2>& x) {
+double polygon_distance(const std::vector<std::array<double, 2>>& v, const config::Domain& domain,
+                        bool turned, const Vec<2>& x) {
   double nearest2 = 1e300;
   bool inside = false;
   for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++) {
@@ -85,13 +85,14 @@ template <int Dim>
 double cylinder_distance(const Shape& s, Geometry geometry, const Vec<Dim>& x) {
   if constexpr (Dim == 2) {
     if (geometry == Geometry::axisymmetric)
-      return from_slabs(std::array<double, 2>{x[0] - s.radius, std::max(s.length_lo - x[1], x[1] - s.length_hi)});
+      return from_slabs(
+          std::array<double, 2>{x[0] - s.radius, std::max(s.length_lo - x[1], x[1] - s.length_hi)});
   }
   if constexpr (Dim == 3) {
     const Vec<3> r = x - cut<3>(s.centre), axis = cut<3>(s.axis);
     const double along = dot(r, axis);
-    return from_slabs(
-        std::array<double, 2>{norm(r - along * axis) - s.radius, std::max(s.length_lo - along, along - s.length_hi)});
+    return from_slabs(std::array<double, 2>{norm(r - along * axis) - s.radius,
+                                            std::max(s.length_lo - along, along - s.length_hi)});
   }
   return ball_distance(s, x);
 }
@@ -99,10 +100,14 @@ double cylinder_distance(const Shape& s, Geometry geometry, const Vec<Dim>& x) {
 template <int Dim>
 double distance(const Shape& s, const config::Domain& domain, const Vec<Dim>& x) {
   switch (s.kind) {
-    case Shape::Kind::box: return box_distance(cut<Dim>(s.lo), cut<Dim>(s.hi), turned_back(s, x));
-    case Shape::Kind::sphere: return ball_distance(s, x);
-    case Shape::Kind::cylinder: return cylinder_distance(s, domain.geometry, x);
-    case Shape::Kind::half_space: return dot(x - cut<Dim>(s.point), cut<Dim>(s.normal));
+    case Shape::Kind::box:
+      return box_distance(cut<Dim>(s.lo), cut<Dim>(s.hi), turned_back(s, x));
+    case Shape::Kind::sphere:
+      return ball_distance(s, x);
+    case Shape::Kind::cylinder:
+      return cylinder_distance(s, domain.geometry, x);
+    case Shape::Kind::half_space:
+      return dot(x - cut<Dim>(s.point), cut<Dim>(s.normal));
     case Shape::Kind::polygon:
       if constexpr (Dim == 2) return polygon_distance(s.vertices, domain, s.rotation != 0, turned_back(s, x));
       break;
@@ -136,8 +141,8 @@ Shape continued(Shape s, const config::Domain& domain) {
 
 /// A cell is decided where the surface is farther than its corners; else it is halved, down to 1/64.
 template <int Dim>
-double refine(const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& centre, double width, int depth,
-              bool axisymmetric) {
+double refine(const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& centre, double width,
+              int depth, bool axisymmetric) {
   const double s = distance(centre), weight = axisymmetric ? std::abs(centre[0]) : 1;
   if (std::abs(s) >= 0.5 * width * std::sqrt(static_cast<double>(Dim))) return s < 0 ? weight : 0;
   if (depth == 0) return weight * std::clamp(0.5 - s / width, 0.0, 1.0);
@@ -163,9 +168,11 @@ double inside_part(const std::function<double(const Vec<Dim>&)>& distance, const
   return refine(distance, centre, dx, Dim == 3 ? 4 : 6, axisymmetric);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                                   \
-  template std::function<double(const Vec<Dim>&)> signed_distance<Dim>(const config::Shape&, const config::Domain&); \
-  template double inside_part<Dim>(const std::function<double(const Vec<Dim>&)>&, const Vec<Dim>&, double, bool);
+#define RECOIL_INSTANTIATE(Dim)                                                                            \
+  template std::function<double(const Vec<Dim>&)> signed_distance<Dim>(const config::Shape&,               \
+                                                                       const config::Domain&);             \
+  template double inside_part<Dim>(const std::function<double(const Vec<Dim>&)>&, const Vec<Dim>&, double, \
+                                   bool);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -7,12 +7,13 @@
 
 namespace recoil {
 
-/// Signed distance [m] to a shape, negative inside: exact outside of convex shapes and everywhere for single ones;
-/// of unions and differences a bound, which the level set's redistancing makes a distance.
-/// A box or polygon that reaches the edge of the domain continues beyond it: it has no surface there.
-/// Planar and axisymmetric shapes use the first two components of the case's vectors, 1-d the first.
+/// Signed distance [m] to a shape, negative inside: exact outside of convex shapes and everywhere for single
+/// ones; of unions and differences a bound, which the level set's redistancing makes a distance. A box or
+/// polygon that reaches the edge of the domain continues beyond it: it has no surface there. Planar and
+/// axisymmetric shapes use the first two components of the case's vectors, 1-d the first.
 template <int Dim>
-std::function<double(const Vec<Dim>&)> signed_distance(const config::Shape& shape, const config::Domain& domain);
+std::function<double(const Vec<Dim>&)> signed_distance(const config::Shape& shape,
+                                                       const config::Domain& domain);
 
 /// Part of a cell of width dx about `centre` that lies inside, weighted with |r| where axisymmetric:
 /// integral of (1 or r) over the inside, divided by dx^Dim [1 or m]. Fine sub-sampling near the surface.

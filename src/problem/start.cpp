@@ -22,9 +22,12 @@ Vec<Dim> first_components(const config::Vector& v) {
 
 Edge edge_of(config::Boundary b) {
   switch (b) {
-    case config::Boundary::outflow: return Edge::outflow;
-    case config::Boundary::periodic: return Edge::periodic;
-    default: return Edge::reflect;
+    case config::Boundary::outflow:
+      return Edge::outflow;
+    case config::Boundary::periodic:
+      return Edge::periodic;
+    default:
+      return Edge::reflect;
   }
 }
 
@@ -47,7 +50,8 @@ Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x) {
 
 template <int Dim>
 void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells, const config::Body& from,
-                const std::function<double(const Vec<Dim>&)>& distance, const Material& material, BodyBlock<Dim>& b) {
+                const std::function<double(const Vec<Dim>&)>& distance, const Material& material,
+                BodyBlock<Dim>& b) {
   using C = Components<Dim>;
   const Box<Dim> layout = grid.layout();
   const auto n = static_cast<std::size_t>(layout.size());
@@ -56,9 +60,10 @@ void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells, const config::Body
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     const Vec<Dim> x = grid.centre(i);
     const double full = grid.full_volume(i);
-    double v = b.phi[k] < -1.8 * grid.dx  ? full
-               : b.phi[k] > 1.8 * grid.dx ? 0
-                                          : inside_part(distance, x, grid.dx, grid.axisymmetric) * grid.dx_power(Dim);
+    double v = b.phi[k] < -1.8 * grid.dx ? full
+               : b.phi[k] > 1.8 * grid.dx
+                   ? 0
+                   : inside_part(distance, x, grid.dx, grid.axisymmetric) * grid.dx_power(Dim);
     if (std::abs(v - full) < 1e-12 * full) v = full;
     if (v < 1e-12 * full) v = 0;
     b.volume[k] = v;
@@ -87,7 +92,8 @@ void place_body(State<Dim>& state, int m, const config::Body& from,
     enter_block(body, slot, grid);
     BodyBlock<Dim>& b = body.at(slot);
     for_each(cells, [&](const Index<Dim>& i) {
-      b.phi[static_cast<std::size_t>(layout.at(i - cells.lo))] = std::clamp(distance(grid.centre(i)), -far, far);
+      b.phi[static_cast<std::size_t>(layout.at(i - cells.lo))] =
+          std::clamp(distance(grid.centre(i)), -far, far);
     });
     b.phi_next = b.phi;
     if (!body.rigid) fill_block(grid, cells, from, distance, body.material, b);
@@ -119,8 +125,8 @@ void find_overlaps_in(const config::Case& c, config::Diagnostics& out) {
       std::string at;
       for (int d = 0; d < Dim; ++d) at += fmt::format("{}{:.4g}", d ? ", " : "", place[m * n + q][d] * 1e3);
       out.error(c.bodies[q].shape.place,
-                fmt::format("bodies '{}' and '{}' overlap by {:.4g} mm near ({}) mm", c.bodies[m].name, c.bodies[q].name,
-                            deepest[m * n + q] * 1e3, at),
+                fmt::format("bodies '{}' and '{}' overlap by {:.4g} mm near ({}) mm", c.bodies[m].name,
+                            c.bodies[q].name, deepest[m * n + q] * 1e3, at),
                 fmt::format("move or cut one of them; bodies may touch, as at a common face"));
     }
 }
@@ -139,21 +145,24 @@ Grid<Dim> make_grid(const config::Case& c) {
     const bool open = g.edge[e][0] == Edge::outflow && g.edge[e][1] == Edge::outflow;
     const double shift = open ? c.mesh.offset : 0;
     g.origin[d] = c.domain.lo[e] - shift * g.dx;
-    if (g.edge[e][0] == Edge::outflow && g.edge[e][1] == Edge::reflect)  // the closed end is where the domain says
+    if (g.edge[e][0] == Edge::outflow &&
+        g.edge[e][1] == Edge::reflect)  // the closed end is where the domain says
       g.origin[d] = c.domain.hi[e] - std::ceil(length - 1e-9) * g.dx;
     g.cells[d] = static_cast<int>(std::ceil(length + shift - 1e-9));
     const bool both_closed = g.edge[e][0] != Edge::outflow && g.edge[e][1] != Edge::outflow;
     if (both_closed && std::abs(length - std::round(length)) > 1e-6)
-      throw InputError(fmt::format("error: axis {} of the domain is {:.6g} cells long, but its closed ends need whole cells\n"
-                                   "   = help: mesh.finest = \"{:.6g} mm\" gives {} cells",
-                                   d, length, length * g.dx / std::round(length) * 1e3, std::round(length)));
+      throw InputError(fmt::format(
+          "error: axis {} of the domain is {:.6g} cells long, but its closed ends need whole cells\n"
+          "   = help: mesh.finest = \"{:.6g} mm\" gives {} cells",
+          d, length, length * g.dx / std::round(length) * 1e3, std::round(length)));
   }
   g.block = choose_block<Dim>(g.cells, g.edge, c.mesh.block);
   return g;
 }
 
 template <int Dim>
-State<Dim> make_state(const config::Case& c, const std::vector<Material>& materials, const parallel::World& world) {
+State<Dim> make_state(const config::Case& c, const std::vector<Material>& materials,
+                      const parallel::World& world) {
   if (c.bodies.size() > most_bodies)
     throw InputError(fmt::format("error: {} bodies, at most {} are possible", c.bodies.size(), most_bodies));
   const Grid<Dim> grid = make_grid<Dim>(c);
@@ -197,15 +206,19 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
 
 void find_overlaps(const config::Case& c, config::Diagnostics& out) {
   switch (config::dimension(c.domain.geometry)) {
-    case 1: return find_overlaps_in<1>(c, out);
-    case 2: return find_overlaps_in<2>(c, out);
-    default: return find_overlaps_in<3>(c, out);
+    case 1:
+      return find_overlaps_in<1>(c, out);
+    case 2:
+      return find_overlaps_in<2>(c, out);
+    default:
+      return find_overlaps_in<3>(c, out);
   }
 }
 
-#define RECOIL_INSTANTIATE(Dim)                            \
-  template Grid<Dim> make_grid<Dim>(const config::Case&);  \
-  template State<Dim> make_state<Dim>(const config::Case&, const std::vector<Material>&, const parallel::World&);
+#define RECOIL_INSTANTIATE(Dim)                                                          \
+  template Grid<Dim> make_grid<Dim>(const config::Case&);                                \
+  template State<Dim> make_state<Dim>(const config::Case&, const std::vector<Material>&, \
+                                      const parallel::World&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -6,20 +6,21 @@
 
 namespace recoil {
 
-/// The cells of a case: finest = dx; the mesh is shifted by mesh.offset of a cell along every axis that is open at both
-/// ends. @throws InputError where a closed axis does not hold whole cells.
+/// The cells of a case: finest = dx; the mesh is shifted by mesh.offset of a cell along every axis that is
+/// open at both ends. @throws InputError where a closed axis does not hold whole cells.
 template <int Dim>
 Grid<Dim> make_grid(const config::Case& c);
 
-/// The picture at t = 0: level sets from the shapes, volumes by fine sub-sampling, matter at rest density and zero
-/// pressure with the body's velocity and spin.
+/// The picture at t = 0: level sets from the shapes, volumes by fine sub-sampling, matter at rest density and
+/// zero pressure with the body's velocity and spin.
 /// @param materials one for each body of the case; those of rigid bodies are not used.
 /// Collective.
 template <int Dim>
-State<Dim> make_state(const config::Case& c, const std::vector<Material>& materials, const parallel::World& world);
+State<Dim> make_state(const config::Case& c, const std::vector<Material>& materials,
+                      const parallel::World& world);
 
-/// Reports bodies that overlap (by more than 1e-6 of a cell): where and how deep. One error per pair, at the later body.
-/// Looks at the cells of the case's mesh.
+/// Reports bodies that overlap (by more than 1e-6 of a cell): where and how deep. One error per pair, at the
+/// later body. Looks at the cells of the case's mesh.
 void find_overlaps(const config::Case& c, config::Diagnostics& out);
 
 }  // namespace recoil

@@ -97,7 +97,8 @@ double Phases<Dim>::choose_length(const Stepping& stepping, double until) {
   const double stable = signal > 0 ? stepping.cfl / signal : until - state_.time;
   const double dt = std::min(stepping.fixed_dt.value_or(stable), until - state_.time);
   if (!(stable > shortest_step))
-    throw PhysicsError(fmt::format("the time step collapsed to {:.3g} s at {:.6g} us", stable, state_.time * 1e6));
+    throw PhysicsError(
+        fmt::format("the time step collapsed to {:.3g} s at {:.6g} us", stable, state_.time * 1e6));
   return dt;
 }
 
@@ -121,9 +122,8 @@ void Phases<Dim>::carry_surfaces_half(double dt) {
 
 template <int Dim>
 void Phases<Dim>::cut_cells(Surfaces surfaces, PhiAt when) {
-  for_each_slot(StepPart::geometry, [&](int slot, Scratch& scratch) {
-    find_geometry(state_, slot, surfaces, when, scratch);
-  });
+  for_each_slot(StepPart::geometry,
+                [&](int slot, Scratch& scratch) { find_geometry(state_, slot, surfaces, when, scratch); });
   share(when == PhiAt::midstep ? part_geometry : part_settled);
 }
 
@@ -163,7 +163,8 @@ void Phases<Dim>::update_matter(double dt, double share) {
       if (body.rigid || !body.present(slot)) continue;
       const Scratch::Frame frame(scratch);
       auto& ledger = state_.ledger[static_cast<std::size_t>(slot)];
-      update_block(state_, body, slot, dt, share, ledger.edges[static_cast<std::size_t>(m)], ledger.counters, scratch);
+      update_block(state_, body, slot, dt, share, ledger.edges[static_cast<std::size_t>(m)], ledger.counters,
+                   scratch);
     }
   });
 }
@@ -199,7 +200,8 @@ void Phases<Dim>::mend_bad_states() {
     });
     apply(StepPart::redistribution);
   }
-  for_each_body(StepPart::redistribution, [&](Body<Dim>& body, int slot, Scratch&) { clear_bad_states(body.at(slot)); });
+  for_each_body(StepPart::redistribution,
+                [&](Body<Dim>& body, int slot, Scratch&) { clear_bad_states(body.at(slot)); });
 }
 
 template <int Dim>
@@ -223,9 +225,8 @@ void Phases<Dim>::carry_surfaces(double dt) {
   for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     spread_wall_velocity(state_, body, slot, dt, counters(slot), scratch);
   });
-  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    carry(state_, body, slot, dt, scratch);
-  });
+  for_each_body(StepPart::level_set,
+                [&](Body<Dim>& body, int slot, Scratch& scratch) { carry(state_, body, slot, dt, scratch); });
   share(part_phi_next);
   for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     carry_again(state_, body, slot, dt, scratch);
@@ -243,7 +244,8 @@ void Phases<Dim>::place_rigid_bodies(double time, PhiAt where) {
 
 template <int Dim>
 void Phases<Dim>::remember_contact() {
-  for_each_body(StepPart::walls, [](Body<Dim>& body, int slot, Scratch&) { recoil::remember_contact(body.at(slot)); });
+  for_each_body(StepPart::walls,
+                [](Body<Dim>& body, int slot, Scratch&) { recoil::remember_contact(body.at(slot)); });
   share(part_contact);
 }
 
@@ -252,7 +254,8 @@ void Phases<Dim>::redistance(double dt) {
   std::vector<double> fastest(static_cast<std::size_t>(state_.mesh.local()), 0);
   for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch&) {
     for (const Wall<Dim>& w : body.at(slot).walls)
-      fastest[static_cast<std::size_t>(slot)] = std::max(fastest[static_cast<std::size_t>(slot)], norm(w.mean_velocity));
+      fastest[static_cast<std::size_t>(slot)] =
+          std::max(fastest[static_cast<std::size_t>(slot)], norm(w.mean_velocity));
   });
   state_.travel += dt * engine_.world.max(largest(fastest));
   const bool all = state_.travel > travel_to_redistance * state_.grid().dx;
@@ -277,7 +280,8 @@ void Phases<Dim>::exchange_along_surfaces() {
 
 template <int Dim>
 void Phases<Dim>::follow_volumes() {
-  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch&) { measure_mismatch(state_, body, slot); });
+  for_each_body(StepPart::level_set,
+                [&](Body<Dim>& body, int slot, Scratch&) { measure_mismatch(state_, body, slot); });
   share(part_settled);
   for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     follow_volume(state_, body, slot, follow_rate, scratch);
@@ -314,14 +318,16 @@ void Phases<Dim>::update_bands() {
   std::vector<BandChoice<Dim>> choice(all.size() * bodies);
   parallel::for_each_block(engine_.team, all, [&](int slot, Scratch& scratch) {
     for (std::size_t m = 0; m < bodies; ++m)
-      choice[static_cast<std::size_t>(slot) * bodies + m] = choose_band(state_, state_.bodies[m], slot, scratch);
+      choice[static_cast<std::size_t>(slot) * bodies + m] =
+          choose_band(state_, state_.bodies[m], slot, scratch);
   });
   for (const int slot : all)
     for (std::size_t m = 0; m < bodies; ++m) {
       Body<Dim>& body = state_.bodies[m];
       const bool entered = !body.present(slot);
       apply_band(state_, body, slot, choice[static_cast<std::size_t>(slot) * bodies + m]);
-      if (entered && body.rigid && body.present(slot)) place_rigid(state_, body, slot, state_.time, PhiAt::now);
+      if (entered && body.rigid && body.present(slot))
+        place_rigid(state_, body, slot, state_.time, PhiAt::now);
     }
   recoil::share(state_, engine_.world, part_phi | part_matter | part_contact);
 }

@@ -8,8 +8,8 @@
 
 namespace recoil {
 
-/// The phases of a step, each one loop over blocks. Within a phase a block writes only its own data and reads only
-/// data that the phase does not write, so that blocks may run in any order and on any thread.
+/// The phases of a step, each one loop over blocks. Within a phase a block writes only its own data and reads
+/// only data that the phase does not write, so that blocks may run in any order and on any thread.
 template <int Dim>
 class Phases {
  public:

@@ -31,15 +31,15 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
 
   for (const Stage& stage : stages) {
     step.share(part_average);
-    step.find_walls(dt, stage.share);             // contact: touch, slide, separate
+    step.find_walls(dt, stage.share);  // contact: touch, slide, separate
     step.share(part_geometry);
-    step.fill_values();                           // ghosts speak for the walls
+    step.fill_values();  // ghosts speak for the walls
     step.share(part_stencil);
-    step.update_matter(dt, stage.share);          // Q += dt R, V += dt R_V
+    step.update_matter(dt, stage.share);  // Q += dt R, V += dt R_V
     step.share(part_matter);
     step.redistribute_small_pieces();
     step.mend_bad_states();
-    step.return_to_yield(dt, stage.old_part);     // then the Runge-Kutta mean
+    step.return_to_yield(dt, stage.old_part);  // then the Runge-Kutta mean
     step.share(part_matter);
     step.refresh_averages();
   }
@@ -70,8 +70,8 @@ void settle_start(State<Dim>& state, Engine& engine) {
 }
 
 const char* name_of(StepPart part) {
-  constexpr std::array names{"averages", "geometry", "fits", "walls", "values", "flux", "redistribution", "plasticity",
-                             "level set", "moves", "exchange", "band"};
+  constexpr std::array names{"averages",       "geometry",   "fits",      "walls", "values",   "flux",
+                             "redistribution", "plasticity", "level set", "moves", "exchange", "band"};
   return names[static_cast<std::size_t>(part)];
 }
 

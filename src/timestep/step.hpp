@@ -9,7 +9,21 @@
 namespace recoil {
 
 /// Parts of a step, as `make bench` and the run log show them.
-enum class StepPart { averages, geometry, fits, walls, values, flux, redistribution, plasticity, level_set, moves, exchange, band, count };
+enum class StepPart {
+  averages,
+  geometry,
+  fits,
+  walls,
+  values,
+  flux,
+  redistribution,
+  plasticity,
+  level_set,
+  moves,
+  exchange,
+  band,
+  count
+};
 const char* name_of(StepPart part);
 
 /// What drives the steps of a run.
@@ -25,7 +39,8 @@ struct Engine {
   Timers<StepPart> timers;
 };
 
-/// Advances all bodies by one step of the conservative moving-boundary method (docs/theory.md), at most to `until` [s].
+/// Advances all bodies by one step of the conservative moving-boundary method (docs/theory.md), at most to
+/// `until` [s].
 /// @returns the step's length [s]. @throws PhysicsError where a state is beyond the equations. Collective.
 template <int Dim>
 double advance(State<Dim>& state, const Stepping& stepping, double until, Engine& engine);

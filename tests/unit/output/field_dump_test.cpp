@@ -41,8 +41,8 @@ TEST(FieldDump, HoldsMatterAndSurfaces) {
   const UnstructuredGrid grid = gather_fields(state, parallel::World{}, field_variables());
   check_grid(grid);
   const auto fraction = column(grid, "volume_fraction"), body = column(grid, "body"),
-             speed = column(grid, "velocity"), phi = column(grid, "level_set_disc_m"),
-             wall = column(grid, "level_set_wall_m"), density = column(grid, "density");
+             speed = column(grid, "velocity_m_per_s"), phi = column(grid, "level_set_disc_m"),
+             wall = column(grid, "level_set_wall_m"), density = column(grid, "density_kg_per_m3");
   double area = 0;
   int near_wall = 0;
   for (std::size_t k = 0; k < grid.cells(); ++k) {
