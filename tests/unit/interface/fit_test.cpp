@@ -1,0 +1,172 @@
+#include "interface/fit.hpp"
+
+#include <cmath>
+
+#include "../core/dimensions.hpp"
+#include "prepared.hpp"
+
+namespace recoil {
+namespace {
+
+template <class D>
+struct Fits : testing::Test {
+  static constexpr int dim = D::value;
+  using C = Components<dim>;
+  Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
+  Material material = samples::copper();
+  Primitives<dim> base = some_primitives<dim>(material);
+  Vec<dim> middle = middle_of(grid);
+
+  static Vec<dim> tilted() {
+    Vec<dim> n;
+    for (int d = 0; d < dim; ++d) n[d] = 1 - 0.45 * d;
+    return unit(n);
+  }
+  Prepared<dim> half() { return {grid, {half_space(middle, tilted())}, {base}}; }
+
+  /// Gives the averages of all donors the values of a field at their centroids.
+  template <class F>
+  static void set_averages(Prepared<dim>& p, F&& field) {
+    for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      auto x = p.state.grid().centre(i);
+      if (b.geometry.index[k] >= 0)
+        x += p.state.grid().dx * b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[k])].centroid;
+      const Primitives<dim> w = field(x);
+      for (std::size_t c = 0; c < w.size(); ++c) b.average[c * b.volume.size() + k] = w[c];
+    });
+  }
+  bool inside(const Index<dim>& i) const { return grid.domain().grown(-4).contains(i); }
+};
+TYPED_TEST_SUITE(Fits, Dimensions);
+
+TYPED_TEST(Fits, AUniformStateIsFittedExactly) {
+  constexpr int dim = TestFixture::dim;
+  auto p = this->half();
+  p.evaluate();
+  int walls = 0;
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>&) {
+    ++walls;
+    ASSERT_GT(w.donors, 0);
+    for (std::size_t c = 0; c < Components<dim>::contents; ++c) {
+      ASSERT_NEAR(w.value[c], this->base[c], 1e-11 * std::abs(this->base[c])) << c;
+      ASSERT_LT(norm(w.gradient[c]), 1e-11 * std::abs(this->base[c]));
+    }
+  });
+  EXPECT_GT(walls, dim == 1 ? 0 : 8);
+  EXPECT_EQ(p.counters.cuts_without_donor, 0);
+}
+
+/// The ridge on the gradient's matrix costs some two hundredths of a slope.
+TYPED_TEST(Fits, LinearFieldsAreContinuedToTheSurface) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  auto p = this->half();
+  Vec<dim> slope;  // of velocity and stress, in units of their own per dx
+  for (int d = 0; d < dim; ++d) slope[d] = 1 + 0.5 * d;
+  const double unit_u = 3, unit_s = 4e7;
+  const auto field = [&](const Vec<dim>& x) {
+    auto w = this->base;
+    const double s = dot(slope, x - this->middle) * (1 / this->grid.dx);
+    for (std::size_t c = C::u; c < C::p; ++c) w[c] += unit_u * s;
+    for (std::size_t c = C::p; c < C::ep; ++c) w[c] += unit_s * s;
+    return w;
+  };
+  TestFixture::set_averages(p, field);
+  p.evaluate();
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>& cut, const Index<dim>& i) {
+    if (!this->inside(i)) return;
+    const auto exact = field(cut.point);
+    for (std::size_t c = C::u; c < C::ep; ++c) {
+      const double one = c < C::p ? unit_u : unit_s;
+      ASSERT_NEAR(w.value[c], exact[c], 0.05 * one * norm(slope)) << c;
+      ASSERT_LT(norm(w.gradient[c] - one * slope), 0.06 * one * norm(slope)) << c;
+    }
+  });
+}
+
+/// Density follows the pressure; plastic strain and heat are means, which never leave the donors' range.
+TYPED_TEST(Fits, DensityIsIsentropicAndStrainIsAMean) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  auto p = this->half();
+  const auto n = TestFixture::tilted();
+  const auto& eos = std::get<MieGruneisen>(this->material.eos);
+  const double c2 = eos.sound_speed_squared(this->base[0], this->base[C::p]);
+  TestFixture::set_averages(p, [&](const Vec<dim>& x) {
+    auto w = this->base;
+    const double s = dot(n, x - this->middle) / this->grid.dx;
+    w[C::p] += 1e8 * s;
+    w[C::rho] += 1e8 * s / c2;
+    w[C::ep] += 0.01 * s;
+    return w;
+  });
+  p.evaluate();
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>& i) {
+    if (!this->inside(i)) return;
+    ASSERT_NEAR(w.value[C::rho], this->base[0], 0.1 * 1e8 / c2);
+    ASSERT_LT(w.value[C::ep], this->base[C::ep] - 0.002);  // donors lie behind the surface
+    ASSERT_GT(w.value[C::ep], this->base[C::ep] - 0.02);
+  });
+}
+
+TYPED_TEST(Fits, ValuesAreLimitedByTheDonors) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  auto p = this->half();
+  const auto n = TestFixture::tilted();
+  TestFixture::set_averages(p, [&](const Vec<dim>& x) {  // much steeper at the surface than behind
+    auto w = this->base;
+    const double s = dot(n, x - this->middle) / this->grid.dx;
+    w[C::p] = 1e9 * std::exp(6 * s);
+    return w;
+  });
+  p.evaluate();
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>&) {
+    ASSERT_GE(w.value[C::p], -0.5 * w.range[C::p] - 1);
+    ASSERT_LE(w.value[C::p], 1.5e9 + 1);
+  });
+}
+
+/// Beside a plane of symmetry the mirrored donors count with turned velocities.
+TEST(FitsAtMirrors, VelocitiesTurnRound) {
+  auto grid = make_test_grid<2>(20, 10, Edge::reflect, true);
+  const auto base = some_primitives<2>(samples::copper());
+  const Vec<2> point{{0, grid.origin[1] + 9.4 * grid.dx}}, up{{0, 1}};
+  Prepared<2> p(grid, {half_space(point, up)}, {base});
+  using C = Components<2>;
+  for_each_piece(p.state, 0, [&](auto& b, const Index<2>& i, std::size_t k) {
+    const double x = grid.centre(i)[0] - grid.origin[0];  // odd about the mirror
+    b.average[C::u * b.volume.size() + k] = 5 * x / grid.dx;
+  });
+  p.evaluate();
+  int beside = 0;
+  p.for_each_wall(0, [&](const Wall<2>& w, const CutCell<2>& cut, const Index<2>& i) {
+    if (i[0] > 3) return;
+    ++beside;
+    ASSERT_NEAR(w.gradient[C::u][0], 5, 0.15);
+    ASSERT_NEAR(w.value[C::u], 5 * (cut.point[0] - grid.origin[0]) / grid.dx, 0.15);
+    ASSERT_NEAR(w.value[C::u + 1], base[C::u + 1], 1e-9);
+  });
+  EXPECT_EQ(beside, 4);
+}
+
+/// A cut cell with no whole piece around moves with what it holds.
+TYPED_TEST(Fits, LonePiecesMoveWithWhatTheyHold) {
+  constexpr int dim = TestFixture::dim;
+  auto p = this->half();
+  const auto q = per_volume<dim>(this->material, this->base);
+  for_each_piece(p.state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    set_piece(b, k, b.geometry.kind[k] == CellKind::cut ? 0.05 * this->grid.dx_power(dim) : 0, q);
+  });
+  p.prepare();
+  p.evaluate();
+  EXPECT_GT(p.counters.cuts_without_donor, 0);
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>&) {
+    ASSERT_EQ(w.donors, 0);
+    for (std::size_t d = 0; d < dim; ++d) ASSERT_NEAR(w.value[1 + d], this->base[1 + d], 1e-10);
+    ASSERT_EQ(w.value[Components<dim>::p], 0);
+  });
+}
+
+}  // namespace
+}  // namespace recoil
