@@ -1,0 +1,301 @@
+#include "interface/walls.hpp"
+
+#include <cmath>
+
+#include "../core/dimensions.hpp"
+#include "prepared.hpp"
+
+namespace recoil {
+namespace {
+
+/// One wall after another, found anew.
+template <int Dim>
+void find_all(Prepared<Dim>& p, double dt, double share = 1) {
+  p.evaluate();
+  Scratch scratch;
+  for (int s = 0; s < p.state.mesh.local(); ++s) {
+    const Scratch::Frame frame(scratch);
+    find_walls(p.state, s, dt, share, scratch);
+  }
+}
+
+template <class D>
+struct Walls : testing::Test {
+  static constexpr int dim = D::value;
+  using C = Components<dim>;
+  Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
+  Material material = samples::copper();
+  Vec<dim> middle = middle_of(grid), normal = tilted();
+  const double z = density(material) * longitudinal_speed(material),
+               zs = std::sqrt(density(material) * 43.33e9);
+  const double dt = 1e-5;
+
+  static Vec<dim> tilted() {
+    Vec<dim> n;
+    for (int d = 0; d < dim; ++d) n[d] = 1 - 0.45 * d;
+    return unit(n);
+  }
+  bool inside(const Index<dim>& i) const { return grid.domain().grown(-4).contains(i); }
+  Prepared<dim> free_half(const Primitives<dim>& w) { return {grid, {half_space(middle, normal)}, {w}}; }
+  /// Two bodies that face each other across a plane, the first below it, with a gap [dx].
+  Prepared<dim> facing(double gap, const Primitives<dim>& below, const Primitives<dim>& above) {
+    return {grid,
+            {half_space(middle - 0.5 * gap * grid.dx * normal, normal),
+             half_space(middle + 0.5 * gap * grid.dx * normal, -normal)},
+            {below, above}};
+  }
+  /// Sum of the forces on, and of the power given to, both bodies in every cell: zero to the last bit.
+  void expect_balance(Prepared<dim>& p) {
+    std::vector<Vec<dim>> force(static_cast<std::size_t>(grid.domain().size()));
+    std::vector<double> power(force.size());
+    for (int m = 0; m < 2; ++m)
+      p.for_each_wall(m, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>& i) {
+        force[static_cast<std::size_t>(grid.domain().at(i))] += w.force;
+        power[static_cast<std::size_t>(grid.domain().at(i))] += w.power;
+      });
+    for (const auto& f : force) ASSERT_EQ(f, Vec<dim>{});
+    for (const double e : power) ASSERT_EQ(e, 0);
+  }
+};
+TYPED_TEST_SUITE(Walls, Dimensions);
+
+TYPED_TEST(Walls, AFreeSurfaceMovesWithItsMatter) {
+  constexpr int dim = TestFixture::dim;
+  Vec<dim> u;
+  for (int d = 0; d < dim; ++d) u[d] = 70 - 130 * d;
+  auto p = this->free_half(moving<dim>(this->material, u));
+  find_all(p, this->dt);
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>& cut, const Index<dim>&) {
+    ASSERT_EQ(w.partners, 0U);
+    ASSERT_EQ(w.traction, 0);
+    ASSERT_EQ(w.force, Vec<dim>{});
+    ASSERT_EQ(w.power, 0);
+    ASSERT_LT(norm(w.velocity - u), 1e-10);
+    ASSERT_NEAR(w.volume_rate, dot(u, cut.surface), 1e-10);
+    for (int i = 0; i < dim; ++i)
+      ASSERT_LT(norm(w.stretching[static_cast<std::size_t>(i)] - u[i] * cut.surface), 1e-10);
+  });
+}
+
+/// Velocity u - sigma/Z n - tau/Z_s of a stressed surface.
+TYPED_TEST(Walls, AFreeSurfaceRecoils) {
+  constexpr int dim = TestFixture::dim;
+  const auto w0 = some_primitives<dim>(this->material);
+  auto p = this->free_half(w0);
+  find_all(p, this->dt);
+  const auto s = surface_state<dim>(this->material, w0, this->normal);
+  Vec<dim> u;
+  for (int d = 0; d < dim; ++d) u[d] = w0[static_cast<std::size_t>(1 + d)];
+  const Vec<dim> exact =
+      u - s.stress / s.impedance * this->normal - s.shear * (1 / std::sqrt(w0[0] * 43.33e9));
+  EXPECT_GT(norm(exact - u), 10);
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>& i) {
+    if (!this->inside(i)) return;
+    ASSERT_LT(norm(w.velocity - exact), 1e-6);
+    ASSERT_EQ(w.force, Vec<dim>{});
+  });
+}
+
+TYPED_TEST(Walls, ResolvingATensor) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  const auto w = some_primitives<dim>(this->material);
+  const auto s = resolve<dim>(w, this->normal);
+  Vec<dim> traction, u;
+  for (int i = 0; i < dim; ++i) {
+    u[i] = w[static_cast<std::size_t>(C::u + i)];
+    for (int j = 0; j < dim; ++j) {
+      const int c = C::stress(i, j);
+      traction[i] +=
+          (c >= 0 ? w[static_cast<std::size_t>(C::s + c)] : -w[C::s] - w[C::s + 1]) * this->normal[j];
+    }
+  }
+  EXPECT_LT(norm(s.velocity * this->normal + s.sliding - u), 1e-12);
+  EXPECT_NEAR(dot(s.sliding, this->normal), 0, 1e-12);
+  EXPECT_LT(norm(s.deviator * this->normal + s.shear - traction), 1e-6);
+  EXPECT_NEAR(dot(s.shear, this->normal), 0, 1e-6);
+  EXPECT_NEAR(s.stress, s.deviator - w[C::p], 1e-3);
+}
+
+TYPED_TEST(Walls, AnImpactGivesBothTheSameWithOppositeSign) {
+  constexpr int dim = TestFixture::dim;
+  const double speed = 60;
+  auto p =
+      this->facing(0, moving<dim>(this->material, speed * this->normal), moving<dim>(this->material, {}));
+  find_all(p, this->dt);
+  this->expect_balance(p);
+  int touching = 0;
+  for (int m = 0; m < 2; ++m)
+    p.for_each_wall(m, [&](const Wall<dim>& w, const CutCell<dim>& cut, const Index<dim>& i) {
+      ASSERT_LE(w.traction, 0);
+      if (!this->inside(i)) return;
+      ++touching;
+      ASSERT_EQ(w.partners, m == 0 ? 2U : 1U);
+      ASSERT_NEAR(w.traction / (-0.5 * speed * this->z), 1, 1e-9);
+      ASSERT_LT(norm(w.velocity - 0.5 * speed * this->normal), 1e-9);
+      ASSERT_LT(norm(w.force - w.traction * cut.surface), 1e-9 * norm(w.force));
+      ASSERT_NEAR(w.power, dot(w.force, 0.5 * speed * this->normal), 1e-9 * std::abs(w.power));
+      ASSERT_NEAR(w.volume_rate, 0.5 * speed * dot(this->normal, cut.surface), 1e-9);
+    });
+  EXPECT_GT(touching, dim == 1 ? 1 : 8);
+}
+
+/// Bodies that slide past each other keep their own tangential velocity: no friction, no work by it.
+TYPED_TEST(Walls, SlidingIsFree) {
+  constexpr int dim = TestFixture::dim;
+  if (dim == 1) return;
+  Vec<dim> along;
+  along[0] = -this->normal[1];
+  along[1] = this->normal[0];
+  auto p = this->facing(0, moving<dim>(this->material, 40.0 * this->normal + 300.0 * along),
+                        moving<dim>(this->material, -200.0 * along));
+  find_all(p, this->dt);
+  this->expect_balance(p);
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>& i) {
+    if (!this->inside(i)) return;
+    ASSERT_NEAR(dot(w.velocity, along), 300 * norm(along) * norm(along), 1e-6);
+    ASSERT_NEAR(dot(w.force, along), 0, 1e-6);
+    ASSERT_NEAR(w.power, dot(w.force, this->normal) * 20, 1e-8 * std::abs(w.power));
+  });
+}
+
+TYPED_TEST(Walls, PartingBodiesAreFree) {
+  constexpr int dim = TestFixture::dim;
+  auto p = this->facing(0, moving<dim>(this->material, -5.0 * this->normal), moving<dim>(this->material, {}));
+  find_all(p, this->dt);
+  for (int m = 0; m < 2; ++m)
+    p.for_each_wall(m, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>&) {
+      ASSERT_EQ(w.partners, 0U);
+      ASSERT_EQ(w.force, Vec<dim>{});
+    });
+  EXPECT_EQ(p.state.ledger[0].pairs[0].area, 0);
+}
+
+/// A gap is closed first: contact starts in the step in which the surfaces meet.
+TYPED_TEST(Walls, AGapDelaysTheContact) {
+  constexpr int dim = TestFixture::dim;
+  const double gap = 0.1 * this->grid.dx, speed = 60;
+  for (const double part : {0.9, 1.5}) {
+    auto p =
+        this->facing(0.1, moving<dim>(this->material, speed * this->normal), moving<dim>(this->material, {}));
+    const double step = part * gap / speed;
+    find_all(p, step);
+    this->expect_balance(p);
+    p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>& i) {
+      if (!this->inside(i)) return;
+      ASSERT_EQ(w.partners, part < 1 ? 0U : 2U);
+      const double left = std::max(0.0, speed - gap / step);
+      ASSERT_NEAR(w.traction, -0.5 * left * this->z, 1e-6 * this->z);
+    });
+    // What was in contact stays so without closing a settled gap first.
+    auto closer = this->facing(0.05, moving<dim>(this->material, speed * this->normal),
+                               moving<dim>(this->material, {}));
+    for (auto& b : closer.state.bodies[0].blocks) std::fill(b.contact.begin(), b.contact.end(), 2U);
+    find_all(closer, step);
+    closer.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>& i) {
+      if (!this->inside(i)) return;
+      ASSERT_NEAR(w.traction, -0.5 * speed * this->z, 1e-6 * this->z);
+    });
+  }
+}
+
+TYPED_TEST(Walls, ARigidWallStopsABody) {
+  constexpr int dim = TestFixture::dim;
+  const double speed = 50, wall_speed = 10;
+  auto p =
+      this->facing(0, moving<dim>(this->material, speed * this->normal), moving<dim>(this->material, {}));
+  p.state.bodies[1].rigid =
+      RigidMotion<dim>{half_space(this->middle, -this->normal), wall_speed * this->normal};
+  p.prepare();
+  find_all(p, this->dt);
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>& cut, const Index<dim>& i) {
+    if (!this->inside(i)) return;
+    ASSERT_EQ(w.partners, 2U);
+    ASSERT_NEAR(w.traction / (-(speed - wall_speed) * this->z), 1, 1e-9);
+    ASSERT_NEAR(dot(w.velocity, this->normal), wall_speed, 1e-9);
+    ASSERT_LT(norm(w.force - w.traction * cut.surface), 1e-6 * norm(w.force));
+    ASSERT_NEAR(w.power, wall_speed * dot(w.force, this->normal), 1e-9 * std::abs(w.power));
+  });
+}
+
+/// The ledger books what the bodies give each other, from the lower-numbered one's side.
+TYPED_TEST(Walls, TheLedgerAgreesWithTheWalls) {
+  constexpr int dim = TestFixture::dim;
+  const double share = 1.0 / 6;
+  auto p =
+      this->facing(-0.1, moving<dim>(this->material, 60.0 * this->normal), moving<dim>(this->material, {}));
+  find_all(p, this->dt, share);
+  find_all(p, this->dt, share);
+  Vec<dim> force;
+  double power = 0, area = 0;
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>& cut, const Index<dim>&) {
+    force += w.force;
+    power += w.power;
+    if (w.partners != 0) area += norm(cut.surface);
+  });
+  PairRecord<dim> sum;
+  for (const auto& l : p.state.ledger) {
+    const auto& r = l.pairs[0];
+    sum.area += r.area;
+    sum.force += r.force;
+    sum.exchanged.energy += r.exchanged.energy;
+    sum.exchanged.momentum += r.exchanged.momentum;
+    sum.gap += r.gap;
+    sum.traction += r.traction;
+    sum.velocity += r.velocity;
+  }
+  EXPECT_NEAR(sum.area / area, 1, 1e-6);
+  EXPECT_LT(norm(sum.force - force), 1e-12 * norm(force));
+  EXPECT_LT(norm(sum.exchanged.momentum - 2 * share * this->dt * force),
+            1e-12 * norm(sum.exchanged.momentum));
+  EXPECT_NEAR(sum.exchanged.energy / (2 * share * this->dt * power), 1, 1e-12);
+  EXPECT_NEAR(sum.traction / sum.area / (-30 * this->z), 1, 0.02);
+  EXPECT_NEAR(sum.velocity / sum.area, 30, 0.5);
+  EXPECT_NEAR(sum.gap / sum.area / this->grid.dx, -0.1, 0.02);
+}
+
+TYPED_TEST(Walls, ContactIsRemembered) {
+  constexpr int dim = TestFixture::dim;
+  auto p = this->facing(0, moving<dim>(this->material, 60.0 * this->normal), moving<dim>(this->material, {}));
+  find_all(p, this->dt);
+  auto& b = p.state.bodies[1].at(0);
+  remember_contact(b);
+  for (std::size_t k = 0; k < b.contact.size(); ++k) {
+    const int at = b.geometry.index[k];
+    EXPECT_EQ(b.contact[k], at < 0 ? 0U : b.walls[static_cast<std::size_t>(at)].partners);
+  }
+}
+
+/// Two bodies side by side on a third: the pairs share the cell's area, and all forces balance.
+TEST(WallsOfThree, ForcesOfAllPairsBalance) {
+  const auto grid = make_test_grid<2>(20, 10, Edge::outflow, true);
+  const auto material = samples::copper();
+  const Vec<2> middle = middle_of(grid) + Vec<2>{{0.07, 0.11}};
+  const Distance<2> below = half_space(middle, Vec<2>{{0, 1}}), above = half_space(middle, Vec<2>{{0, -1}}),
+                    left = half_space(middle, Vec<2>{{1, 0}}), right = half_space(middle, Vec<2>{{-1, 0}});
+  Prepared<2> p(
+      grid,
+      {below, [&](const Vec<2>& x) { return std::max(above(x), left(x)); },
+       [&](const Vec<2>& x) { return std::max(above(x), right(x)); }},
+      {moving<2>(material, {{0, 80}}), moving<2>(material, {{30, 0}}), moving<2>(material, {{-20, 0}})});
+  find_all(p, 1e-5);
+  Vec<2> force;
+  double power = 0, size = 0;
+  for (int m = 0; m < 3; ++m)
+    p.for_each_wall(m, [&](const Wall<2>& w, const CutCell<2>&, const Index<2>&) {
+      force += w.force;
+      power += w.power;
+      size += norm(w.force);
+    });
+  EXPECT_GT(size, 0);
+  EXPECT_LT(norm(force), 1e-12 * size);
+  EXPECT_LT(std::abs(power), 1e-10 * size);
+  for (int pair = 0; pair < 3; ++pair) {
+    double area = 0;
+    for (const auto& l : p.state.ledger) area += l.pairs[static_cast<std::size_t>(pair)].area;
+    EXPECT_GT(area, 5 * grid.dx) << pair;
+  }
+}
+
+}  // namespace
+}  // namespace recoil
