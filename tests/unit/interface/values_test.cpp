@@ -1,0 +1,162 @@
+#include "interface/values.hpp"
+
+#include <cmath>
+
+#include "../core/dimensions.hpp"
+#include "dynamics/block_update.hpp"
+#include "interface/walls.hpp"
+#include "prepared.hpp"
+
+namespace recoil {
+namespace {
+
+template <int Dim>
+void fill_values(Prepared<Dim>& p) {
+  p.for_each_body(
+      [&](Body<Dim>& body, int s, Scratch& scratch) { choose_ghosts(p.state, body, s, scratch); });
+  p.evaluate();
+  Scratch scratch;
+  for (int s = 0; s < p.state.mesh.local(); ++s) {
+    const Scratch::Frame frame(scratch);
+    find_walls(p.state, s, 1e-5, 1, scratch);
+  }
+  p.for_each_body(
+      [&](Body<Dim>& body, int s, Scratch&) { fill_stencil_values(p.state, body, s, p.counters); });
+}
+
+template <class D>
+struct Values : testing::Test {
+  static constexpr int dim = D::value;
+  using C = Components<dim>;
+  Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
+  Material material = samples::copper();
+  Vec<dim> normal = tilted(), middle = middle_of(grid) + 0.27 * grid.dx * normal;
+
+  static Vec<dim> tilted() {
+    Vec<dim> n;
+    for (int d = 0; d < dim; ++d) n[d] = 1 - 0.45 * d;
+    return unit(n);
+  }
+  bool inside(const Index<dim>& i) const { return grid.domain().grown(-4).contains(i); }
+  static Primitives<dim> stencil_of(const BodyBlock<dim>& b, std::size_t k) {
+    Primitives<dim> w{};
+    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.stencil[c * b.volume.size() + k];
+    return w;
+  }
+};
+TYPED_TEST_SUITE(Values, Dimensions);
+
+TYPED_TEST(Values, ABodyInFreeFlightLooksTheSameEverywhere) {
+  constexpr int dim = TestFixture::dim;
+  Vec<dim> u;
+  for (int d = 0; d < dim; ++d) u[d] = 70 - 130 * d;
+  const auto w0 = moving<dim>(this->material, u);
+  Prepared<dim> p(this->grid, {ball(this->middle, 6.4 * this->grid.dx)}, {w0});
+  fill_values(p);
+  int ghosts = 0;
+  for_each_piece(p.state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    if ((b.role[k] & valued) == 0) return;
+    ghosts += (b.role[k] & regular) == 0;
+    const auto w = TestFixture::stencil_of(b, k);
+    ASSERT_NEAR(w[0], w0[0], 1e-9);
+    for (int d = 0; d < dim; ++d) ASSERT_NEAR(w[static_cast<std::size_t>(1 + d)], u[d], 1e-9);
+    for (std::size_t c = Components<dim>::p; c < Components<dim>::ep; ++c) ASSERT_NEAR(w[c], 0, 1e-2);
+  });
+  EXPECT_GT(ghosts, dim == 1 ? 4 : 50);
+}
+
+/// No reconstruction at an open face lacks a value, on any block.
+TYPED_TEST(Values, EveryFaceFindsItsValues) {
+  constexpr int dim = TestFixture::dim;
+  Prepared<dim> p(this->grid, {ball(this->middle, 6.4 * this->grid.dx)},
+                  {some_primitives<dim>(this->material)});
+  fill_values(p);
+  Scratch scratch;
+  Account<dim> edges;
+  for (int s = 0; s < p.state.mesh.local(); ++s) {
+    const Scratch::Frame frame(scratch);
+    update_block(p.state, p.state.bodies[0], s, 1e-9, 1, edges, p.counters, scratch);
+  }
+  EXPECT_EQ(p.counters.faces_without_value, 0);
+  EXPECT_EQ(p.counters.first_order_faces, 0);
+  EXPECT_EQ(p.counters.cuts_without_donor, 0);
+}
+
+/// Beyond a free surface of a stressed body: no traction, and the recoil u - sigma/Z n - tau/Z_s.
+TYPED_TEST(Values, GhostsBeyondAFreeSurfaceCarryNoTraction) {
+  constexpr int dim = TestFixture::dim;
+  const auto w0 = some_primitives<dim>(this->material);
+  Prepared<dim> p(this->grid, {half_space(this->middle, this->normal)}, {w0});
+  fill_values(p);
+  const auto own = surface_state<dim>(this->material, w0, this->normal);
+  int ghosts = 0;
+  for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    if (!this->inside(i) || (b.role[k] & valued) == 0) return;
+    const auto w = TestFixture::stencil_of(b, k);
+    if ((b.role[k] & regular) != 0) {
+      if (b.geometry.kind[k] != CellKind::full) return;
+      for (std::size_t c = 0; c < w.size(); ++c) ASSERT_NEAR(w[c], w0[c], 1e-9 * std::abs(w0[c]));
+      return;
+    }
+    ++ghosts;
+    const auto s = resolve<dim>(w, this->normal);
+    ASSERT_NEAR(s.stress, 0, 1e-6 * std::abs(own.stress));
+    ASSERT_LT(norm(s.shear), 1e-6 * std::abs(own.stress));
+    ASSERT_NEAR(s.velocity, own.velocity - own.stress / own.impedance, 1e-6);
+    ASSERT_LT(norm(s.sliding - own.sliding + shear_recoil(own)), 1e-6);
+    ASSERT_NEAR(s.deviator, own.deviator, 1e-6 * std::abs(own.stress));
+    ASSERT_LT(w[0], w0[0]);  // released from compression
+  });
+  EXPECT_GT(ghosts, dim == 1 ? 1 : 20);
+}
+
+/// Beyond a contact the ghosts carry its traction.
+TYPED_TEST(Values, GhostsBeyondAContactCarryItsTraction) {
+  constexpr int dim = TestFixture::dim;
+  const double speed = 60, z = density(this->material) * longitudinal_speed(this->material);
+  Prepared<dim> p(this->grid,
+                  {half_space(this->middle, this->normal), half_space(this->middle, -this->normal)},
+                  {moving<dim>(this->material, speed * this->normal), moving<dim>(this->material, {})});
+  fill_values(p);
+  int ghosts = 0;
+  for (int m = 0; m < 2; ++m)
+    for_each_piece(p.state, m, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      if (!this->inside(i) || (b.role[k] & valued) == 0 || (b.role[k] & regular) != 0) return;
+      ++ghosts;
+      const auto s = resolve<dim>(TestFixture::stencil_of(b, k), this->normal);
+      ASSERT_NEAR(s.stress / (-0.5 * speed * z), 1, 1e-6);
+      ASSERT_NEAR(s.velocity, 0.5 * speed, 1e-6);
+    });
+  EXPECT_GT(ghosts, dim == 1 ? 2 : 40);
+}
+
+/// The average of a cut cell belongs to its centroid; where a stress falls off towards a free surface, the
+/// value at the cell's centre lies between the average and the wall's.
+TYPED_TEST(Values, AveragesOfCutCellsMoveToTheirCentres) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  Prepared<dim> p(this->grid, {half_space(this->middle, this->normal)}, {moving<dim>(this->material, {})});
+  const double slope = 1e8;  // Pa per dx
+  const auto pressure = [&](const Vec<dim>& x) {
+    return -slope * dot(x - this->middle, this->normal) / this->grid.dx;
+  };
+  for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    auto x = this->grid.centre(i);
+    if (b.geometry.index[k] >= 0)
+      x += this->grid.dx * b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[k])].centroid;
+    b.average[C::p * b.volume.size() + k] = pressure(x);
+  });
+  fill_values(p);
+  int moved = 0;
+  for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    if (!this->inside(i) || b.geometry.index[k] < 0 || (b.role[k] & regular) == 0) return;
+    const double average = b.average[C::p * b.volume.size() + k],
+                 value = b.stencil[C::p * b.volume.size() + k];
+    moved += std::abs(value - average) > 0.01 * slope;
+    ASSERT_NEAR(value, pressure(this->grid.centre(i)), 0.12 * slope);
+  });
+  EXPECT_GT(moved, dim == 1 ? 0 : 5);
+}
+
+}  // namespace
+}  // namespace recoil
