@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks which folder of src/ includes which: the layer rule and the fences around library headers.
 
-A folder may include only itself and folders of a lower layer. Usage: check_layers.py [ROOT], where ROOT holds
+A folder may include only itself and folders of a lower layer. A .cpp file includes the header beside it first, which
+proves that this header compiles alone (CMake compiles the headers without a .cpp file by themselves). Usage: check_layers.py [ROOT], where ROOT holds
 src/. Prints one line for every breach, `file:line: what (rule)`, and exits with 1 if there was any.
 """
 
@@ -56,11 +57,16 @@ def breaches_of_file(path, source):
     if len(parts) == 1 or parts[0] not in LAYER_OF:
         yield 1, f"{parts[0]} is in no layer (add its folder to LAYERS in tools/check_layers.py)"
         return
-    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
-        match = INCLUDE.match(line)
-        if match:
-            for text in breaches_of_include(parts[0], *match.groups()):
-                yield number, text
+    lines = enumerate(path.read_text(encoding="utf-8").splitlines(), start=1)
+    includes = [(number, *match.groups()) for number, line in lines if (match := INCLUDE.match(line))]
+    for number, quote, header in includes:
+        for text in breaches_of_include(parts[0], quote, header):
+            yield number, text
+    beside = path.with_suffix(".hpp")
+    if path.suffix == ".cpp" and beside.exists():
+        own = beside.relative_to(source).as_posix()
+        if not includes or includes[0][2] != own:
+            yield (includes[0][0] if includes else 1), f'"{own}" is not the first include'
 
 
 def check(root):

@@ -52,6 +52,13 @@ class LayerRule(unittest.TestCase):
         self.assertEqual(len(breaches({"src/core/a.cpp": '#include "a.hpp"\n'})), 1)
         self.assertEqual(len(breaches({"src/core/a.cpp": '#include "../core/a.hpp"\n'})), 1)
 
+    def test_header_beside_a_file_comes_first(self):
+        beside = {"src/core/a.hpp": "#pragma once\n"}
+        self.assertEqual(breaches({**beside, "src/core/a.cpp": '#include "core/a.hpp"\n#include <vector>\n'}), [])
+        late = breaches({**beside, "src/core/a.cpp": '#include <vector>\n#include "core/a.hpp"\n'})
+        self.assertEqual(late, ['src/core/a.cpp:1: "core/a.hpp" is not the first include'])
+        self.assertEqual(len(breaches({**beside, "src/core/a.cpp": "int n;\n"})), 1)
+
     def test_unknown_folder_is_a_breach(self):
         self.assertEqual(len(breaches({"src/utils/a.cpp": ""})), 1)
         self.assertEqual(len(breaches({"src/a.cpp": ""})), 1)
