@@ -30,7 +30,7 @@ struct Values : testing::Test {
   using C = Components<dim>;
   Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
   Material material = samples::copper();
-  Vec<dim> normal = tilted(), middle = middle_of(grid) + 0.27 * grid.dx * normal;
+  Vec<dim> normal = tilted(), middle = middle_of(grid) + 0.77 * grid.dx * normal;
 
   static Vec<dim> tilted() {
     Vec<dim> n;

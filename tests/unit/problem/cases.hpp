@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "config/case.hpp"
+
+/// Cases put together in code, as read_case() would give them.
+namespace recoil {
+
+inline config::Vector vector_of(double x, double y = 0, double z = 0) { return {x, y, z}; }
+
+inline config::Domain domain_of(config::Geometry geometry, config::Vector lo, config::Vector hi,
+                                config::Boundary edges = config::Boundary::outflow) {
+  config::Domain d;
+  d.geometry = geometry;
+  d.lo = lo;
+  d.hi = hi;
+  for (auto& axis : d.boundary) axis = {edges, edges};
+  if (geometry == config::Geometry::axisymmetric) d.boundary[0][0] = config::Boundary::axis;
+  return d;
+}
+
+inline config::Shape box_shape(config::Vector lo, config::Vector hi) {
+  config::Shape s;
+  s.kind = config::Shape::Kind::box;
+  s.lo = lo;
+  s.hi = hi;
+  for (std::size_t d = 0; d < 3; ++d) s.centre[d] = 0.5 * (lo[d] + hi[d]);
+  return s;
+}
+
+inline config::Shape ball_shape(config::Vector centre, double radius) {
+  config::Shape s;
+  s.kind = config::Shape::Kind::sphere;
+  s.centre = centre;
+  s.radius = radius;
+  return s;
+}
+
+inline config::Body body_of(std::string name, config::Shape shape, config::Vector velocity = {}) {
+  config::Body b;
+  b.name = std::move(name);
+  b.shape = std::move(shape);
+  b.velocity = velocity;
+  return b;
+}
+
+}  // namespace recoil

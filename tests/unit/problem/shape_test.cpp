@@ -1,0 +1,169 @@
+#include "problem/shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../core/dimensions.hpp"
+#include "cases.hpp"
+#include "core/index.hpp"
+
+namespace recoil {
+namespace {
+
+using config::Geometry;
+using config::Shape;
+
+constexpr double pi = 3.14159265358979323846;
+
+const config::Domain line = domain_of(Geometry::line, vector_of(-9), vector_of(9));
+const config::Domain plane = domain_of(Geometry::planar, vector_of(-9, -9), vector_of(9, 9));
+const config::Domain round = domain_of(Geometry::axisymmetric, vector_of(0, -9), vector_of(9, 9));
+const config::Domain space = domain_of(Geometry::space, vector_of(-9, -9, -9), vector_of(9, 9, 9));
+
+template <int Dim>
+double at(const Shape& s, const config::Domain& domain, const Vec<Dim>& x) {
+  return signed_distance<Dim>(s, domain)(x);
+}
+
+TEST(SignedDistance, Intervals) {
+  const auto s = box_shape(vector_of(1), vector_of(3));
+  EXPECT_DOUBLE_EQ(at<1>(s, line, {{0}}), 1);
+  EXPECT_DOUBLE_EQ(at<1>(s, line, {{1.5}}), -0.5);
+  EXPECT_DOUBLE_EQ(at<1>(s, line, {{2.875}}), -0.125);
+  EXPECT_DOUBLE_EQ(at<1>(s, line, {{5}}), 2);
+}
+
+TEST(SignedDistance, Boxes) {
+  const auto s = box_shape(vector_of(-1, -2, -3), vector_of(1, 2, 3));
+  EXPECT_DOUBLE_EQ(at<2>(s, plane, {{4, 6}}), 5);  // the corner
+  EXPECT_DOUBLE_EQ(at<2>(s, plane, {{0, 5}}), 3);
+  EXPECT_DOUBLE_EQ(at<2>(s, plane, {{0.2, 0}}), -0.8);
+  EXPECT_DOUBLE_EQ(at<3>(s, space, {{2, 4, 5}}), 3);
+  EXPECT_DOUBLE_EQ(at<3>(s, space, {{0, 0, 2.5}}), -0.5);
+}
+
+TEST(SignedDistance, TurnedBoxes) {
+  auto s = box_shape(vector_of(1, 1), vector_of(5, 2));
+  s.rotation = pi / 2;  // about its centre (3, 1.5): x in 2.5..3.5, y in -0.5..3.5
+  EXPECT_NEAR(at<2>(s, plane, {{3, 4.5}}), 1, 1e-14);
+  EXPECT_NEAR(at<2>(s, plane, {{5, 1.5}}), 1.5, 1e-14);
+  EXPECT_NEAR(at<2>(s, plane, {{3, 1.5}}), -0.5, 1e-14);
+  s.rotation = pi / 6;  // counter-clockwise: the right end goes up
+  const double c = std::cos(pi / 6), n = std::sin(pi / 6);
+  EXPECT_NEAR(at<2>(s, plane, {{3 + 3 * c, 1.5 + 3 * n}}), 1, 1e-14);
+}
+
+TEST(SignedDistance, BallsAndDiscs) {
+  const auto s = ball_shape(vector_of(1, 2, 3), 2);
+  EXPECT_DOUBLE_EQ(at<2>(s, plane, {{4, 6}}), 3);
+  EXPECT_DOUBLE_EQ(at<3>(s, space, {{1, 2, 4}}), -1);
+  auto disc = s;
+  disc.kind = Shape::Kind::cylinder;
+  EXPECT_DOUBLE_EQ(at<2>(disc, plane, {{4, 6}}), 3);
+  EXPECT_DOUBLE_EQ(at<2>(ball_shape(vector_of(0, 1), 2), round, {{3, 5}}), 3);
+}
+
+TEST(SignedDistance, Cylinders) {
+  Shape s;
+  s.kind = Shape::Kind::cylinder;
+  s.radius = 2;
+  s.length_lo = -1;
+  s.length_hi = 4;
+  EXPECT_DOUBLE_EQ(at<2>(s, round, {{5, 8}}), 5);  // the edge at r 2, z 4
+  EXPECT_DOUBLE_EQ(at<2>(s, round, {{0.1, 3.5}}), -0.5);
+  EXPECT_DOUBLE_EQ(at<2>(s, round, {{1.875, 1}}), -0.125);
+  s.centre = vector_of(1, 1, 1);
+  s.axis = vector_of(0, 1, 0);
+  EXPECT_DOUBLE_EQ(at<3>(s, space, {{1, 7, 1}}), 2);
+  EXPECT_DOUBLE_EQ(at<3>(s, space, {{1, -1, 1}}), 1);
+  EXPECT_DOUBLE_EQ(at<3>(s, space, {{6, 9, 1}}), 5);
+  EXPECT_DOUBLE_EQ(at<3>(s, space, {{1.5, 2, 1}}), -1.5);
+}
+
+TEST(SignedDistance, HalfSpaces) {
+  Shape s;
+  s.kind = Shape::Kind::half_space;
+  s.point = vector_of(1, 1, 1);
+  s.normal = vector_of(0.6, 0.8, 0);
+  EXPECT_DOUBLE_EQ(at<2>(s, plane, {{4, 5}}), 5);
+  EXPECT_DOUBLE_EQ(at<3>(s, space, {{-2, -3, 7}}), -5);
+}
+
+TEST(SignedDistance, PolygonsOfEitherOrientation) {
+  Shape s;
+  s.kind = Shape::Kind::polygon;
+  s.vertices = {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};  // an L
+  for (int n = 0; n < 2; ++n) {
+    EXPECT_NEAR(at<2>(s, plane, {{0.5, 2}}), -0.5, 1e-14);
+    EXPECT_NEAR(at<2>(s, plane, {{2, 2}}), 1, 1e-14);
+    EXPECT_NEAR(at<2>(s, plane, {{7, 5}}), 5, 1e-14);
+    EXPECT_NEAR(at<2>(s, plane, {{0.8, 0.8}}), -std::sqrt(0.08), 1e-14);  // to the inner corner
+    std::reverse(s.vertices.begin(), s.vertices.end());
+  }
+}
+
+TEST(SignedDistance, UnionsAndDifferences) {
+  Shape s;
+  s.kind = Shape::Kind::combined;
+  s.parts = {ball_shape(vector_of(0, 0), 2), ball_shape(vector_of(3, 0), 2)};
+  EXPECT_DOUBLE_EQ(at<2>(s, plane, {{6, 0}}), 1);
+  EXPECT_DOUBLE_EQ(at<2>(s, plane, {{1.5, 0}}), -0.5);
+  s.kind = Shape::Kind::difference;
+  EXPECT_DOUBLE_EQ(at<2>(s, plane, {{1.5, 0}}), 0.5);
+  EXPECT_DOUBLE_EQ(at<2>(s, plane, {{-1, 0}}), -1);
+}
+
+TEST(SignedDistance, BodiesAtTheEdgeOfTheDomainContinue) {
+  const auto low = box_shape(vector_of(-9, -9), vector_of(0, 9));
+  EXPECT_DOUBLE_EQ(at<2>(low, plane, {{-8.9, 8.9}}), -8.9);  // only the face at x = 0 is there
+  EXPECT_DOUBLE_EQ(at<2>(low, plane, {{-1, 0}}), -1);
+  EXPECT_DOUBLE_EQ(at<2>(low, plane, {{2, 30}}), 2);
+  Shape polygon;
+  polygon.kind = Shape::Kind::polygon;
+  polygon.vertices = {{-9, -9}, {0, -9}, {0, 9}, {-9, 9}};
+  EXPECT_NEAR(at<2>(polygon, plane, {{-4, 8.9}}), -4, 1e-14);
+  const auto within = box_shape(vector_of(-8, -8), vector_of(0, 9));
+  EXPECT_DOUBLE_EQ(at<2>(within, plane, {{-4, -7.5}}), -0.5);
+}
+
+/// Parts of cells sum to the volume of the shape.
+template <int Dim>
+double volume_of(const Shape& s, const config::Domain& domain, const Vec<Dim>& lo, int cells, double dx) {
+  const auto distance = signed_distance<Dim>(s, domain);
+  const bool axisymmetric = domain.geometry == Geometry::axisymmetric;
+  Box<Dim> box;
+  for (int d = 0; d < Dim; ++d) box.hi[d] = cells;
+  double sum = 0, cell = 1;
+  for (int d = 0; d < Dim; ++d) cell *= dx;
+  for_each(box, [&](const Index<Dim>& i) {
+    Vec<Dim> x = lo;
+    for (int d = 0; d < Dim; ++d) x[d] += (i[d] + 0.5) * dx;
+    sum += inside_part<Dim>(distance, x, dx, axisymmetric) * cell;
+  });
+  return sum;
+}
+
+TEST(InsidePart, DiscsBallsAndBoxesHaveTheirVolumes) {
+  EXPECT_NEAR(volume_of<2>(ball_shape(vector_of(0.1, 0.07), 2), plane, {{-2.5, -2.5}}, 20, 0.25) / (4 * pi),
+              1, 1e-4);
+  EXPECT_NEAR(volume_of<3>(ball_shape(vector_of(0.1, 0.07, 0), 2), space, {{-2.5, -2.5, -2.5}}, 20, 0.25) /
+                  (32 * pi / 3),
+              1, 1e-3);
+  EXPECT_NEAR(volume_of<2>(ball_shape(vector_of(0, 0.07), 2), round, {{0, -2.5}}, 20, 0.25) / (16.0 / 3), 1,
+              1e-4);
+  EXPECT_NEAR(volume_of<1>(box_shape(vector_of(0.137), vector_of(2.91)), line, {{0}}, 20, 0.25), 2.773,
+              1e-12);
+  auto turned = box_shape(vector_of(-1, -0.5), vector_of(1, 0.5));
+  turned.rotation = 0.3;
+  EXPECT_NEAR(volume_of<2>(turned, plane, {{-2.5, -2.5}}, 20, 0.25) / 2, 1, 1e-3);
+}
+
+TEST(InsidePart, AlignedFacesAreExact) {
+  const auto distance = signed_distance<2>(box_shape(vector_of(-20, -20), vector_of(0.3, 20)), plane);
+  EXPECT_NEAR(inside_part<2>(distance, {{0.5, 0.5}}, 1, false), 0.3, 1e-12);
+  EXPECT_EQ(inside_part<2>(distance, {{-1.5, 0.5}}, 1, false), 1);
+  EXPECT_EQ(inside_part<2>(distance, {{2.5, 0.5}}, 1, false), 0);
+}
+
+}  // namespace
+}  // namespace recoil
