@@ -79,6 +79,18 @@ std::vector<double> component_of(const NamedArray& array, int component) {
 constexpr const char* phi_begin = "level_set_";
 constexpr const char* phi_end = "_m";
 
+/// Whether there is matter inside of a body: not in a rigid one.
+bool holds_matter(const UnstructuredGrid& grid, const std::vector<double>& phi) {
+  const std::vector<double> fraction = as_doubles(find_array(grid, "volume_fraction").values);
+  double inside = 0, filled = 0;
+  for (std::size_t k = 0; k < phi.size(); ++k) {
+    if (!(phi[k] < 0)) continue;
+    inside += 1;
+    filled += fraction[k];
+  }
+  return filled > 0.5 * inside;
+}
+
 }  // namespace
 
 ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<double> time_s) {
@@ -105,20 +117,25 @@ FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const Ru
   plane.signed_values = wanted.signed_values;
   plane.time_s = dump.time_s;
   plane.values = rasterise(dump.grid, component_of(find_array(dump.grid, wanted.array), wanted.component), z);
+  std::vector<bool> solid;
   for (const NamedArray& array : dump.grid.cell_arrays) {
     if (!array.name.starts_with(phi_begin) || !array.name.ends_with(phi_end)) continue;
     const std::size_t begin = std::string(phi_begin).size();
     plane.bodies.push_back(array.name.substr(begin, array.name.size() - begin - std::string(phi_end).size()));
-    plane.level_sets.push_back(rasterise(dump.grid, component_of(array, 0), z));
+    const std::vector<double> phi = component_of(array, 0);
+    solid.push_back(holds_matter(dump.grid, phi));
+    plane.level_sets.push_back(rasterise(dump.grid, phi, z));
   }
   plane.matter = plane.values;
   // Beyond all cells of the dump nothing is near.
   const double far = 8 * std::max(plane.values.dx, plane.values.dy);
   std::fill(plane.matter.values.begin(), plane.matter.values.end(), far);
-  for (const PlaneArray& phi : plane.level_sets)
-    for (std::size_t k = 0; k < phi.values.size(); ++k)
-      if (!std::isnan(phi.values[k]))
-        plane.matter.values[k] = std::min(plane.matter.values[k], phi.values[k]);
+  for (std::size_t m = 0; m < plane.level_sets.size(); ++m) {
+    if (!solid[m]) continue;
+    const std::vector<double>& phi = plane.level_sets[m].values;
+    for (std::size_t k = 0; k < phi.size(); ++k)
+      if (!std::isnan(phi[k])) plane.matter.values[k] = std::min(plane.matter.values[k], phi[k]);
+  }
   return plane;
 }
 

@@ -26,8 +26,9 @@ struct FieldPlane {
   PlaneArray values;                   ///< in the unit of the label; NaN: no matter
   std::vector<std::string> bodies;     ///< names
   std::vector<PlaneArray> level_sets;  ///< signed distance to each body [m], NaN far from everything
-  PlaneArray matter;  ///< the least of them: negative inside any body; positive where nothing is known
-  std::string label;  ///< "pressure [GPa]"
+  PlaneArray
+      matter;  ///< the least of those of bodies that hold matter: not of rigid ones; positive elsewhere
+  std::string label;           ///< "pressure [GPa]"
   bool signed_values = false;  ///< a diverging colour map suits
   double time_s = 0;
 };

@@ -96,6 +96,8 @@ TEST(FieldDump, IsReadBackAsAPlane) {
   EXPECT_NEAR(at(plane.values, 1e-3, 0), 500, 1e-3);
   EXPECT_LT(at(plane.matter, 1e-3, 0), -1e-3);
   EXPECT_GT(at(plane.matter, 6e-3, 3.9e-3), 1e-3);
+  EXPECT_LT(at(plane.level_sets[1], 0, -5.3e-3), 0);
+  EXPECT_GT(at(plane.matter, 0, -5.3e-3), 0) << "rigid bodies hold no matter";
   EXPECT_NEAR(at(field_plane(file, "velocity.y", units).values, 1e-3, 0), -400, 1e-3);
   EXPECT_EQ(field_plane(file, "velocity.y", units).label, "velocity y [m/s]");
   const auto outlines = zero_outlines(plane.level_sets[0]);
