@@ -227,22 +227,32 @@ void add_walls(BodyBlock<Dim>& b, Work<Dim>& w, double dt) {
   }
 }
 
+/// Puts the fits of the walls where cut cells have no value of their own; the fluxes no longer need what was
+/// there.
+template <int Dim>
+void borrow_wall_values(const BodyBlock<Dim>& b, Work<Dim>& w) {
+  if (!w.role) return;
+  for (std::size_t m = 0; m < b.geometry.cuts.size(); ++m) {
+    const auto k = static_cast<std::size_t>(w.window.at(w.window.index_of(b.geometry.cuts[m].cell)));
+    if ((w.role[k] & valued) != 0) continue;
+    for (std::size_t c = 0; c < Components<Dim>::primitives; ++c)
+      w.primitive[c * w.wide + k] = b.walls[m].value[c];
+  }
+}
+
 /// Hoop terms of one cell (theory: axisymmetry): the divergence keeps the raw r-weighted sums, both r-columns
 /// of the gradient lose the part that is due to the widening of the cell.
 template <int Dim>
-void axisymmetric_cell(const Body<Dim>& body, int slot, Work<Dim>& w, const Index<Dim>& i, int cell,
-                       const double* value, std::size_t stride, double* gradient_r) {
+void axisymmetric_cell(const BodyBlock<Dim>& b, Work<Dim>& w, const Index<Dim>& i) {
   using C = Components<Dim>;
-  const BodyBlock<Dim>& b = body.at(slot);
-  const auto k = static_cast<std::size_t>(w.cells.at(i));
-  const CellKind kind = b.geometry.kind[static_cast<std::size_t>(cell)];
+  const auto k = static_cast<std::size_t>(w.cells.at(i)), cell = static_cast<std::size_t>(w.window.cell(i));
+  const CellKind kind = b.geometry.kind[cell];
   if (kind == CellKind::empty) return;
+  const double* value = w.primitive + w.window.at(i);
   const double dx = w.grid.dx;
-  double plane = dx * dx, ur = value[C::u * stride], uz = value[(C::u + 1) * stride];
-  const CutCell<Dim>* cut =
-      kind == CellKind::cut
-          ? &b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[static_cast<std::size_t>(cell)])]
-          : nullptr;
+  double plane = dx * dx, ur = value[C::u * w.wide], uz = value[(C::u + 1) * w.wide];
+  const auto at = static_cast<std::size_t>(kind == CellKind::cut ? b.geometry.index[cell] : 0);
+  const CutCell<Dim>* cut = kind == CellKind::cut ? &b.geometry.cuts[at] : nullptr;
   if (cut) plane = cut->plane_area;
   const auto wide_open = [&](int side) {
     return cut->open[0][static_cast<std::size_t>(side)] > 0.3 * w.grid.face_radius(i[0] + side) * dx;
@@ -250,73 +260,64 @@ void axisymmetric_cell(const Body<Dim>& body, int slot, Work<Dim>& w, const Inde
   if (!cut || ((i[0] == 0 || wide_open(0)) && wide_open(1))) {
     ur = w.radial[k];
     if (i[0] > 0) uz = w.radial[w.n + k];
-  } else {
-    const Wall<Dim>& wall =
-        b.walls[static_cast<std::size_t>(b.geometry.index[static_cast<std::size_t>(cell)])];
-    if (wall.donors > 0) {
-      const Vec<Dim> r = (w.grid.centre(i) - cut->point) * (1 / dx) + cut->centroid;
-      ur = wall.value[C::u] + dot(wall.gradient[C::u], r);
-      uz = wall.value[C::u + 1] + dot(wall.gradient[C::u + 1], r);
-    }
+  } else if (b.walls[at].donors > 0) {
+    const Wall<Dim>& wall = b.walls[at];
+    const Vec<Dim> r = (w.grid.centre(i) - cut->point) * (1 / dx) + cut->centroid;
+    ur = wall.value[C::u] + dot(wall.gradient[C::u], r);
+    uz = wall.value[C::u + 1] + dot(wall.gradient[C::u + 1], r);
   }
-  gradient_r[0] -= ur * plane;
-  gradient_r[1] -= uz * plane;
-  const double hoop = -value[C::p * stride] - value[C::s * stride] - value[(C::s + 1) * stride];
+  w.gradient[k] -= ur * plane;
+  w.gradient[Dim * w.n + k] -= uz * plane;
+  const double hoop = -value[C::p * w.wide] - value[C::s * w.wide] - value[(C::s + 1) * w.wide];
   w.rate[C::u * w.n + k] -= hoop * plane;
 }
 
-/// 2 G dev D + W S - S W of one cell, integrated over the piece. L[i * Dim + j]: integral of du_i/dx_j.
+/// 2 G dev D + W S - S W of one cell, integrated over the piece. L[(i * Dim + j) * n]: integral of du_i/dx_j.
 template <int Dim>
-void stress_rate(double g, double trace, const double* value, std::size_t stride, const double* L,
-                 double* rate, std::size_t n) {
+[[gnu::always_inline]] inline void stress_rate(double g, double trace, const double* value, std::size_t wide,
+                                               const double* L, double* rate, std::size_t n) {
   using C = Components<Dim>;
-  const double rho = value[C::rho * stride];
-  const auto full = [&](int i, int j) {
-    const int c = C::stress(i, j);
-    if (c >= 0) return value[static_cast<std::size_t>(C::s + c) * stride];
-    return -(value[C::s * stride] + value[(C::s + 1) * stride]);
-  };
+  const double rho = value[C::rho * wide];
+  std::array<double, Dim * Dim> l, full;
+  for (std::size_t c = 0; c < l.size(); ++c) l[c] = L[c * n];
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) {
+      const int c = C::stress(i, j);
+      full[static_cast<std::size_t>(i * Dim + j)] = c >= 0 ? value[static_cast<std::size_t>(C::s + c) * wide]
+                                                           : -(value[C::s * wide] + value[(C::s + 1) * wide]);
+    }
+  const auto at = [](const auto& m, int i, int j) { return m[static_cast<std::size_t>(i * Dim + j)]; };
   for (int i = 0; i < Dim; ++i)
     for (int j = i; j < Dim; ++j) {
       const int c = C::stress(i, j);
       if (c < 0) continue;
-      double sum = g * (L[i * Dim + j] + L[j * Dim + i]) - (i == j ? 2 * g * trace / 3 : 0);
-      for (int m = 0; m < Dim; ++m) {
-        const double wim = 0.5 * (L[i * Dim + m] - L[m * Dim + i]),
-                     wmj = 0.5 * (L[m * Dim + j] - L[j * Dim + m]);
-        sum += wim * full(m, j) - full(i, m) * wmj;
-      }
+      double sum = g * (at(l, i, j) + at(l, j, i)) - (i == j ? 2 * g * trace / 3 : 0);
+      for (int m = 0; m < Dim; ++m)
+        sum += 0.5 * (at(l, i, m) - at(l, m, i)) * at(full, m, j) -
+               at(full, i, m) * (0.5 * (at(l, m, j) - at(l, j, m)));
       rate[static_cast<std::size_t>(C::s + c) * n] += rho * sum;
     }
 }
 
 template <int Dim>
-void add_sources(const Body<Dim>& body, int slot, double g, Work<Dim>& w) {
-  const BodyBlock<Dim>& b = body.at(slot);
-  for_each(w.cells, [&](const Index<Dim>& i) {
-    const auto k = static_cast<std::size_t>(w.cells.at(i));
-    const int cell = w.window.cell(i);
-    const auto in_window = static_cast<std::size_t>(w.window.at(i));
-    const double* value = w.primitive + in_window;
-    std::size_t stride = w.wide;
-    if (w.role && (w.role[in_window] & valued) == 0) {
-      const int cut = b.geometry.index[static_cast<std::size_t>(cell)];
-      if (cut < 0) return;
-      value = b.walls[static_cast<std::size_t>(cut)].value.data();
-      stride = 1;
-    }
-    std::array<double, Dim * Dim> L;
-    double trace = 0;
-    for (std::size_t c = 0; c < L.size(); ++c) L[c] = w.gradient[c * w.n + k];
-    for (std::size_t d = 0; d < Dim; ++d) trace += L[d * Dim + d];
-    if constexpr (Dim == 2)
-      if (w.grid.axisymmetric) {
-        std::array<double, 2> r_column{L[0], L[2]};
-        axisymmetric_cell(body, slot, w, i, cell, value, stride, r_column.data());
-        L[0] = r_column[0];
-        L[2] = r_column[1];
-      }
-    if (g > 0) stress_rate<Dim>(g, trace, value, stride, L.data(), w.rate + k, w.n);
+void add_sources(const BodyBlock<Dim>& b, double g, Work<Dim>& w, Scratch& scratch) {
+  borrow_wall_values(b, w);
+  double* trace = scratch.take_filled<double>(w.n, 0);
+  for (std::size_t d = 0; d < Dim; ++d)
+    for (std::size_t k = 0; k < w.n; ++k) trace[k] += w.gradient[(d * Dim + d) * w.n + k];
+  if constexpr (Dim == 2)
+    if (w.grid.axisymmetric) for_each(w.cells, [&](const Index<Dim>& i) { axisymmetric_cell(b, w, i); });
+  if (!(g > 0)) return;
+  Box<Dim> rows = w.cells;
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = w.cells.extent(0);
+  for_each(rows, [&](const Index<Dim>& r) {
+    const double* value = w.primitive + w.window.at(r);
+    const auto k = w.cells.at(r);
+    const double *L = w.gradient + k, *t = trace + k;
+    double* rate = w.rate + k;
+#pragma omp simd
+    for (int i = 0; i < width; ++i) stress_rate<Dim>(g, t[i], value + i, w.wide, L + i, rate + i, w.n);
   });
 }
 
@@ -356,7 +357,7 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
   if constexpr (Dim > 1) sweep<Dim, 1, Shear>(eos, g, b.geometry, w, booked, edges, counters, scratch);
   if constexpr (Dim > 2) sweep<Dim, 2, Shear>(eos, g, b.geometry, w, booked, edges, counters, scratch);
   add_walls(b, w, dt);
-  add_sources(body, slot, g, w);
+  add_sources(b, g, w, scratch);
   add_rates(b, w, dt);
 }
 

@@ -52,7 +52,6 @@ void row_primitives(const EosModel& eos, std::size_t first, std::size_t count, s
 template <int Dim, class EosModel>
 void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
                    Counters& counters) {
-  using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
   const auto n = static_cast<std::size_t>(layout.size());
@@ -65,20 +64,30 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
                           b.average.data());
     });
   } else {
+    // Runs of good donors go through the same loop as whole rows.
+    std::size_t first = 0, count = 0;
+    const auto flush = [&] {
+      if (count > 0)
+        row_primitives<Dim>(eos, first, count, n, b.contents.data(), b.volume.data(), b.average.data());
+      count = 0;
+    };
     for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
-      if ((b.role[k] & donates) == 0) return;
       const double volume = b.volume[k], rho = b.contents[k] / volume;
-      if (volume <= 0.1 * state.grid().full_volume(i) || !(rho > 0.2 * eos.rho0) || !(rho < 3 * eos.rho0)) {
-        if (!std::isfinite(rho))
-          throw PhysicsError("the density of " + body.name + " is not a number at " +
-                             place_of(state, slot, i - cells.lo));
-        ++counters.cuts_without_donor;  // keeps its average of the stage before
+      const bool donor = (b.role[k] & donates) != 0;
+      if (donor && volume > 0.1 * state.grid().full_volume(i) && rho > 0.2 * eos.rho0 && rho < 3 * eos.rho0) {
+        if (count > 0 && k != first + count) flush();
+        if (count == 0) first = k;
+        ++count;
         return;
       }
-      const Primitives<Dim> w = to_primitives<Dim>(eos, contents_of(b, static_cast<int>(k)), volume);
-      for (std::size_t c = 0; c < (EosModel::barotropic ? C::primitives : C::contents); ++c)
-        b.average[c * n + k] = w[c];
+      flush();
+      if (!donor) return;
+      if (!std::isfinite(rho))
+        throw PhysicsError("the density of " + body.name + " is not a number at " +
+                           place_of(state, slot, i - cells.lo));
+      ++counters.cuts_without_donor;  // keeps its average of the stage before
     });
+    flush();
   }
 }
 
