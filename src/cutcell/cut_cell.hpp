@@ -41,8 +41,8 @@ struct Wall {
   int first_donor = 0, donors = 0;
   Vec<Dim> donor_centre;  // weighted mean of the donors' places from x_I, in dx
   // the fit of this stage
-  Primitives<Dim> value{};                         // at x_I
-  Primitives<Dim> range{};                         // largest minus smallest value of the donors
+  Primitives<Dim> value{};  // at x_I
+  Primitives<Dim> range{};  // largest minus smallest value of the donors; extra: of S_zz in 3-D
   std::array<Vec<Dim>, C::primitives> gradient{};  // per dx
   // the wall of this stage
   Vec<Dim> normal;             // out of the body

@@ -128,6 +128,21 @@ void lone_fit(const Body<Dim>& body, const BodyBlock<Dim>& b, int cell, double f
     for (std::size_t d = 0; d < Dim; ++d) wall.value[C::u + d] = q[C::u + d] / q[C::rho];
 }
 
+/// Range of S_xx + S_yy, that is of S_zz, which has no place of its own.
+template <int Dim>
+double trace_range(const Body<Dim>& body, const Wall<Dim>& wall, const Donor<Dim>* donors, std::size_t n) {
+  using C = Components<Dim>;
+  double low = 0, high = 0;
+  for (int k = 0; k < wall.donors; ++k) {
+    const double* s =
+        body.at(donors[k].slot).average.data() + C::s * n + static_cast<std::size_t>(donors[k].cell);
+    const double v = s[0] + s[n];
+    low = k == 0 ? v : std::min(low, v);
+    high = k == 0 ? v : std::max(high, v);
+  }
+  return high - low;
+}
+
 template <int Dim, class EosModel>
 void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& b, Wall<Dim>& wall,
               std::size_t n) {
@@ -160,7 +175,7 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& 
                c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_sound * c0 * c0);
   wall.value[C::rho] = rho + std::clamp((wall.value[C::p] - mean_p) / c2, -0.4 * rho, 0.6 * rho);
   wall.value[C::ep] = std::max(0.0, wall.value[C::ep]);
-  wall.range[C::extra] = 0;
+  wall.range[C::extra] = Dim == 3 ? trace_range(body, wall, donors, n) : 0;
 }
 
 }  // namespace

@@ -183,12 +183,10 @@ Primitives<Dim> wall_value(const Wall<Dim>& wall, const GhostCell<Dim>& ghost, d
 template <int Dim>
 double stress_range(const Wall<Dim>& wall) {
   using C = Components<Dim>;
-  double largest = 0, sum = 0;
+  double largest = 0;
   for (int d = 0; d < Dim; ++d) {
     const int c = C::stress(d, d);
-    const double r = c >= 0 ? wall.range[static_cast<std::size_t>(C::s + c)] : sum;
-    largest = std::max(largest, r);
-    sum += r;
+    largest = std::max(largest, wall.range[static_cast<std::size_t>(c >= 0 ? C::s + c : C::extra)]);
   }
   return wall.range[C::p] + 1.5 * largest;
 }
