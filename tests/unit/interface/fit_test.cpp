@@ -56,6 +56,23 @@ TYPED_TEST(Fits, AUniformStateIsFittedExactly) {
   EXPECT_EQ(p.counters.cuts_without_donor, 0);
 }
 
+TYPED_TEST(Fits, WeightsOfTheMeanSumToOneAndOfTheSlopeToNothing) {
+  constexpr int dim = TestFixture::dim;
+  auto p = this->half();
+  for (const auto& b : p.state.bodies[0].blocks)
+    for (const auto& w : b.walls) {
+      double mean = 0;
+      Vec<dim> slope;
+      for (int k = 0; k < w.donors; ++k) {
+        const auto& donor = b.donors[static_cast<std::size_t>(w.first_donor + k)];
+        mean += donor.weight;
+        slope += donor.slope_weight;
+      }
+      ASSERT_NEAR(mean, 1, 1e-13);
+      ASSERT_LT(norm(slope), 1e-12);
+    }
+}
+
 /// The ridge on the gradient's matrix costs some two hundredths of a slope.
 TYPED_TEST(Fits, LinearFieldsAreContinuedToTheSurface) {
   constexpr int dim = TestFixture::dim;
