@@ -40,7 +40,7 @@ struct Watched {
 struct EventWatch::Parts {
   std::vector<std::string> names;
   int dim = 1;
-  bool axisymmetric = false;
+  std::array<bool, 3> sided{};  // axes along which other things than contact push too
   std::vector<Watched> pairs;
   std::vector<BodyMotion> start;
   std::vector<Event> events, news;
@@ -67,7 +67,10 @@ struct EventWatch::Parts {
 
   std::string velocity_text(std::size_t body, const Three& v) const {
     if (body >= start.size() || !(start[body].mass > 0)) return {};
-    return fmt::format("{} {:.5g} m/s", names[body], fmt::join(v.begin(), v.begin() + dim, " "));
+    std::vector<std::string> shown;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(dim); ++d)
+      shown.push_back(sided[d] ? "-" : fmt::format("{:.5g}", v[d]));
+    return fmt::format("{} {} m/s", names[body], fmt::join(shown, " "));
   }
 
   std::string motion_text(const Watched& w, const Three (&v)[2]) const {
@@ -116,11 +119,13 @@ struct EventWatch::Parts {
     add(w, w.parted, "opening", w.place, motion_text(w, w.velocity_parted));
   }
 
-  /// Whether a body that moved towards its partner now moves away from it. Off the axis of an axisymmetric
-  /// domain momentum has no direction, so only the axial part counts there.
+  /// Whether a body that moved towards its partner now moves away from it. Across a plane of symmetry the
+  /// plane pushes as well, which the contacts do not tell, so that axis does not count. Off the axis of an
+  /// axisymmetric domain momentum has no direction, so only the axial part counts there.
   void look_for_ricochet(const Watched& w, int side) {
     Three n = w.impulse_parted;  // on the first body: away from the second
-    if (axisymmetric) n[0] = 0;
+    for (std::size_t d = 0; d < 3; ++d)
+      if (sided[d]) n[d] = 0;
     const double size = std::sqrt(dot(n, n)), away = side == 0 ? 1 : -1;
     const std::size_t body = side == 0 ? w.a : w.b;
     if (!(size > 0) || body >= start.size() || !(start[body].mass > 0)) return;
@@ -134,12 +139,13 @@ struct EventWatch::Parts {
   }
 };
 
-EventWatch::EventWatch(std::vector<std::string> names, config::Geometry geometry)
+EventWatch::EventWatch(std::vector<std::string> names, config::Geometry geometry, std::array<bool, 3> sided)
     : parts_(std::make_unique<Parts>()) {
   Parts& p = *parts_;
   p.names = std::move(names);
   p.dim = config::dimension(geometry);
-  p.axisymmetric = geometry == config::Geometry::axisymmetric;
+  p.sided = sided;
+  if (geometry == config::Geometry::axisymmetric) p.sided[0] = true;
   const std::size_t n = p.names.size();
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = a + 1; b < n; ++b) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,7 +39,9 @@ inline constexpr int opening_steps = 20;
 class EventWatch {
  public:
   /// @param names of all bodies in their order; @param geometry decides between the two rules of touching.
-  EventWatch(std::vector<std::string> names, config::Geometry geometry);
+  /// @param sided axes with a closed end (a plane of symmetry or slip wall): the velocities found from
+  /// impulses of contact do not hold along them and are left out.
+  EventWatch(std::vector<std::string> names, config::Geometry geometry, std::array<bool, 3> sided = {});
   ~EventWatch();
   EventWatch(EventWatch&&) noexcept;
 

@@ -41,6 +41,14 @@ std::vector<bool> rigid_bodies(const State<Dim>& state) {
   return rigid;
 }
 
+std::array<bool, 3> closed_axes(const config::Domain& domain) {
+  std::array<bool, 3> closed{};
+  for (std::size_t d = 0; d < 3; ++d)
+    for (const config::Boundary b : domain.boundary[d])
+      closed[d] = closed[d] || b == config::Boundary::symmetry || b == config::Boundary::axis;
+  return closed;
+}
+
 void write_events(const std::filesystem::path& path, const std::vector<Event>& events) {
   CsvWriter file(path, {"time [us]", "event", "bodies", "place [mm]", "detail"});
   for (const Event& e : events) {
@@ -106,7 +114,7 @@ struct Recorder<Dim>::Parts {
         rigid(rigid_bodies(state)),
         sampler(state.count(), sums),
         gauges(c, state, w, make_folder("gauges"), sums),
-        events(names, c.domain.geometry),
+        events(names, c.domain.geometry, closed_axes(c.domain)),
         budget(names, rigid, units.balanced),
         fields(make_folder("fields"), case_name(c), c.output.variables),
         history_due(c.output.history_every),
