@@ -6,15 +6,15 @@
 #include <fstream>
 #include <regex>
 
+#include "../support/scratch_folder.hpp"
+
 namespace recoil::app {
 namespace {
 
 /// Without the remarks on where values come from.
 std::string bare(const std::string& text) { return std::regex_replace(text, std::regex(" *#[^\n]*"), ""); }
 
-std::string written(const std::string& name, const std::string& text) {
-  const auto folder = std::filesystem::temp_directory_path() / "recoil_resolved_test";
-  std::filesystem::create_directories(folder);
+std::string written(const ScratchFolder& folder, const std::string& name, const std::string& text) {
   std::ofstream(folder / name) << text;
   return (folder / name).string();
 }
@@ -24,7 +24,8 @@ void expect_same_again(const std::string& file) {
   const LoadedCase first = load_case(file, {});
   ASSERT_FALSE(first.found.has_errors()) << first.found.text();
   const std::string text = resolved_text(first);
-  const LoadedCase second = load_case(written("again.toml", text), {});
+  const ScratchFolder folder;
+  const LoadedCase second = load_case(written(folder, "again.toml", text), {});
   ASSERT_FALSE(second.found.has_errors()) << second.found.text() << text;
   EXPECT_EQ(bare(resolved_text(second)), bare(text));
 }
@@ -71,7 +72,10 @@ every = "10 ns"
 "gauge.g.pressure.peak" = { at-most = "1 GPa", source = "nowhere" }
 )";
 
-TEST(ResolvedCase, EveryPlanarShapeReadsBack) { expect_same_again(written("planar.toml", planar_case)); }
+TEST(ResolvedCase, EveryPlanarShapeReadsBack) {
+  const ScratchFolder folder;
+  expect_same_again(written(folder, "planar.toml", planar_case));
+}
 
 constexpr const char* space_case = R"(
 [domain]
@@ -93,7 +97,10 @@ material = "steel/hzb"
 shape = { kind = "union", parts = [{ kind = "sphere", radius = "2 mm", centre = { x = "15 mm", y = "15 mm", z = "15 mm" } }] }
 )";
 
-TEST(ResolvedCase, ShapesInSpaceReadBack) { expect_same_again(written("space.toml", space_case)); }
+TEST(ResolvedCase, ShapesInSpaceReadBack) {
+  const ScratchFolder folder;
+  expect_same_again(written(folder, "space.toml", space_case));
+}
 
 TEST(ResolvedCase, SaysWhereValuesComeFrom) {
   const LoadedCase loaded =

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <numbers>
 
+#include "../support/scratch_folder.hpp"
 #include "config/read_expect.hpp"
 
 namespace recoil::config {
@@ -175,7 +175,8 @@ TEST(ReadCase, Space) {
 }
 
 TEST(ReadCase, OverridesFromTheCommandLine) {
-  const std::string path = testing::TempDir() + "recoil_read_case_test.toml";
+  const ScratchFolder folder;
+  const std::string path = (folder / "case.toml").string();
   std::ofstream(path) << flyer;
   Document doc;
   Diagnostics out;
@@ -189,7 +190,6 @@ TEST(ReadCase, OverridesFromTheCommandLine) {
   EXPECT_EQ(c.output.history_every, 1e-9);
   EXPECT_EQ(c.expect[3].value, 1);
   EXPECT_NE(doc.find("material.mine.base"), nullptr);
-  std::remove(path.c_str());
 }
 
 TEST(ReadCase, ACutOffFileNeverCrashes) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "scratch_folder.hpp"
+#include "../support/scratch_folder.hpp"
 
 namespace recoil {
 namespace {

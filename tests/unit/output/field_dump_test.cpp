@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "output/field_plane.hpp"
-#include "scratch_folder.hpp"
+#include "../support/scratch_folder.hpp"
 #include "small_case.hpp"
 
 namespace recoil {

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "output/csv.hpp"
-#include "scratch_folder.hpp"
+#include "../support/scratch_folder.hpp"
 #include "small_case.hpp"
 #include "timestep/step.hpp"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "scratch_folder.hpp"
+#include "../support/scratch_folder.hpp"
 
 namespace recoil {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "scratch_folder.hpp"
+#include "../support/scratch_folder.hpp"
 
 namespace recoil {
 namespace {
