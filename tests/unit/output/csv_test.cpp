@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "../support/scratch_folder.hpp"
+#include "core/error.hpp"
 
 namespace recoil {
 namespace {

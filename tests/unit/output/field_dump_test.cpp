@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "../support/scratch_folder.hpp"
 #include "core/error.hpp"
 #include "output/field_plane.hpp"
-#include "../support/scratch_folder.hpp"
 #include "small_case.hpp"
 
 namespace recoil {

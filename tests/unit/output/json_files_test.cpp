@@ -6,8 +6,8 @@
 #include <iterator>
 #include <string>
 
-#include "core/error.hpp"
 #include "../support/scratch_folder.hpp"
+#include "core/error.hpp"
 
 namespace recoil {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
 #include "../support/scratch_folder.hpp"
+#include "core/error.hpp"
 
 namespace recoil {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/error.hpp"
 #include "../support/scratch_folder.hpp"
+#include "core/error.hpp"
 
 namespace recoil {
 namespace {

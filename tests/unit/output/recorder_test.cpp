@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "../support/scratch_folder.hpp"
 #include "core/error.hpp"
 #include "output/csv.hpp"
-#include "../support/scratch_folder.hpp"
 #include "small_case.hpp"
 #include "timestep/step.hpp"
 

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/error.hpp"
 #include "../support/scratch_folder.hpp"
+#include "core/error.hpp"
 
 namespace recoil {
 namespace {
