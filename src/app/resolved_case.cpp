@@ -206,7 +206,9 @@ class Writer {
       line("pair", quoted(g.pair[0] + '-' + g.pair[1]));
     else
       line("body", quoted(g.body));
-    if (g.kind == surface_velocity || g.kind == point) line("at", vector(g.at, "m"));
+    if (g.kind == surface_velocity || g.kind == point || g.radius > 0) line("at", vector(g.at, "m"));
+    if (g.radius > 0) line("radius", quantity(g.radius, "m"));
+    if (g.direction != Vector{}) line("direction", vector(g.direction, "1"));
     line("every", quantity(g.every, "s"));
   }
 

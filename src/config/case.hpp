@@ -78,6 +78,8 @@ struct Gauge {
   Vector at{};                      // m: surface_velocity, point
   double every = 0;                 // s; 0: every step
   Place place;
+  double radius = 0;   // m: contact, only what lies so near to `at`; 0: all of it
+  Vector direction{};  // contact: unit vector along which force and impulse are also given; zero: none
 };
 
 struct Output {

@@ -295,7 +295,14 @@ Section gauge() {
             .example = R"("surface-velocity")"},
            {.name = "body", .doc = "the body it watches", .example = R"("target")"},
            {.name = "pair", .doc = "the two bodies of a contact gauge", .example = R"("flyer-target")"},
-           position("at", "where it is (surface-velocity, point)"),
+           position("at", "where it is (surface-velocity, point), or the middle of what counts (contact)"),
+           {.name = "radius",
+            .type = Type::quantity,
+            .unit = "m",
+            .positive = true,
+            .doc = "only the contact within this distance of `at` counts, so that its rim can be left out",
+            .example = R"("2 mm")"},
+           direction("direction", "force and impulse are also given along this direction (contact)", false),
            every("time between two records; 0: every step")}};
 }
 

@@ -137,6 +137,22 @@ void check_inside(const Gauge& gauge, const Place& place, const Domain& domain, 
   }
 }
 
+/// A unit vector; in 1d there is only one direction.
+Vector read_direction(const Record& record, const CaseReading& in) {
+  Vector v = record.vector3("direction");
+  const double size = std::hypot(v[0], v[1], v[2]);
+  if (in.geometry == Geometry::line)
+    in.out.error(record.key_place("direction"), "'direction' means nothing for geometry \"1d\"",
+                 "take it out: force.x and impulse.x say it all");
+  else if (!(size > 0))
+    in.out.error(record.key_place("direction"), "'direction' has no direction: all its components are 0",
+                 "e.g. direction = { x = 1, y = 1 }");
+  const bool is_unit = std::abs(size - 1) < 1e-14;  // as written by a resolved case: to be read back equal
+  if (size > 0 && !is_unit)
+    for (double& c : v) c /= size;
+  return v;
+}
+
 Gauge read_gauge(const Node& node, const std::vector<std::string>& names, const Domain& domain,
                  const CaseReading& in) {
   const Record record = read_record(node, keys_of("gauge.*"), in.out, in.axes);
@@ -169,10 +185,14 @@ Gauge read_gauge(const Node& node, const std::vector<std::string>& names, const 
   }
   if (check_use("pair", gauge.kind == contact, "\"flyer-target\""))
     gauge.pair = read_pair(record.text("pair"), record.place("pair"), names, in.out);
-  if (check_use("at", needs_at, fmt::format("{{ {} = \"1 mm\" }}", in.axes.front()))) {
+  const bool part = gauge.kind == contact && (record.has("at") || record.has("radius"));
+  if (check_use("at", needs_at || part, fmt::format("{{ {} = \"1 mm\" }}", in.axes.front()))) {
     gauge.at = record.vector3("at");
     check_inside(gauge, record.place("at"), domain, in);
   }
+  if (check_use("radius", part, "\"2 mm\"")) gauge.radius = record.number("radius");
+  if (record.has("direction") && check_use("direction", gauge.kind == contact, ""))
+    gauge.direction = read_direction(record, in);
   return gauge;
 }
 

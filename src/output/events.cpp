@@ -55,7 +55,8 @@ struct EventWatch::Parts {
 
   /// Mean velocity of a body [m/s], from its start and the impulses of all its contacts.
   Three velocity_of(std::size_t body, const std::vector<PairSample>& samples) const {
-    if (body >= start.size() || !(start[body].mass > 0)) return {};
+    if (body >= start.size()) return {};
+    if (!(start[body].mass > 0)) return start[body].velocity;
     Three p = start[body].momentum;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const double sign = pairs[k].a == body ? 1 : pairs[k].b == body ? -1 : 0;
@@ -89,6 +90,7 @@ struct EventWatch::Parts {
       w.story.made = time - dt;
       for (std::size_t k = 0; k < 2; ++k) w.velocity_made[k] = velocity_before(k == 0 ? w.a : w.b, all, w);
     } else {
+      if (!w.story.recloses) w.story.closes_again = time - dt;
       w.story.recloses = true;
     }
     add(w, time - dt, first ? "contact" : "reclosure", w.place, {});
@@ -115,8 +117,23 @@ struct EventWatch::Parts {
 
   void believe(Watched& w) {
     w.story.open = true;
-    if (std::isnan(w.story.opens)) w.story.opens = w.parted;
+    if (std::isnan(w.story.opens))
+      w.story.opens = w.parted;
+    else if (std::isnan(w.story.opens_again))
+      w.story.opens_again = w.parted;
+    w.story.restitution = restitution_of(w);
     add(w, w.parted, "opening", w.place, motion_text(w, w.velocity_parted));
+  }
+
+  /// Newton's coefficient of restitution. Axes along which other things push do not count.
+  double restitution_of(const Watched& w) const {
+    double before = 0, after = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double n = sided[d] ? 0 : w.impulse_parted[d];
+      before += n * (w.velocity_made[0][d] - w.velocity_made[1][d]);
+      after += n * (w.velocity_parted[0][d] - w.velocity_parted[1][d]);
+    }
+    return before < 0 ? -after / before : never;
   }
 
   /// Whether a body that moved towards its partner now moves away from it. Across a plane of symmetry the
@@ -153,6 +170,7 @@ EventWatch::EventWatch(std::vector<std::string> names, config::Geometry geometry
       w.a = a, w.b = b;
       w.story.first = p.names[a], w.story.second = p.names[b];
       w.story.made = w.story.opens = w.story.lift_first = w.story.lift_last = never;
+      w.story.closes_again = w.story.opens_again = w.story.restitution = never;
       p.pairs.push_back(std::move(w));
     }
 }

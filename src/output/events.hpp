@@ -27,6 +27,10 @@ struct PairStory {
   bool recloses = false;                 ///< touched again after an opening
   bool open = true;                      ///< apart now
   double lift_first = 0, lift_last = 0;  ///< s, first and last local opening while they touched elsewhere
+  double closes_again = 0;               ///< s, start of the first step of the first touch after an opening
+  double opens_again = 0;                ///< s, as `opens`, of the second opening
+  double restitution = 0;  ///< relative velocity of the mean motions along the impulse: after the last
+                           ///< opening over before the first touch, turned around
 };
 
 /// A change of contact is believed when it has lasted this many steps, or to the end of the run.

@@ -11,6 +11,7 @@
 #include "core/closest.hpp"
 #include "core/error.hpp"
 #include "dynamics/primitives.hpp"
+#include "output/contact_fields.hpp"
 #include "output/point_state.hpp"
 
 namespace recoil {
@@ -57,6 +58,19 @@ void write_state(const FieldVariable& v, const PointState<Dim>& p, float* to) {
   if (name == "von-mises") put(p.von_mises * 1e-9);
 }
 
+/// Whether the surface of a body runs through a cell; before the first step nothing is cut yet.
+template <int Dim>
+bool is_surface(const BodyBlock<Dim>& b, std::size_t k, double dx) {
+  return b.geometry.index.empty() ? std::abs(b.phi[k]) < 0.5 * dx : b.geometry.index[k] >= 0;
+}
+
+void write_contact(const FieldVariable& v, const SurfaceContact& c, float* to) {
+  const std::string_view name = v.name;
+  if (name == "contact-state") *to = static_cast<float>(c.state);
+  if (name == "gap") *to = static_cast<float>(c.gap * 1e3);
+  if (name == "contact-traction") *to = static_cast<float>(c.traction * 1e-9);
+}
+
 /// One cell of one block in the making.
 template <int Dim>
 struct CellView {
@@ -87,7 +101,7 @@ struct CellView {
 
 template <int Dim>
 void pack_cell(const CellView<Dim>& c, const std::vector<FieldVariable>& variables,
-               std::vector<float>& floats, parallel::Bytes& out) {
+               const std::vector<std::uint32_t>& touched, std::vector<float>& floats, parallel::Bytes& out) {
   const auto& bodies = c.state.bodies;
   CellHead<Dim> head{c.i};
   double most = 0, all = 0;
@@ -107,7 +121,13 @@ void pack_cell(const CellView<Dim>& c, const std::vector<FieldVariable>& variabl
     good = most >= shown_fill * c.full && q[0] > 0;
     if (good) state = point_state(*body, q, most);
   }
+  const bool surface = body != nullptr && is_surface(body->at(c.slot), c.k, c.state.grid().dx);
+  SurfaceContact contact;
+  if (surface)
+    contact = surface_contact(c.state, c.slot, head.body, static_cast<int>(c.k),
+                              touched[static_cast<std::size_t>(head.body)]);
   for (const FieldVariable& v : variables) {
+    if (surface) write_contact(v, contact, at);
     if (std::string_view(v.name) == "volume-fraction")
       *at = static_cast<float>(all / c.full);
     else if (good)
@@ -120,7 +140,8 @@ void pack_cell(const CellView<Dim>& c, const std::vector<FieldVariable>& variabl
 }
 
 template <int Dim>
-parallel::Bytes pack_blocks(const State<Dim>& state, const std::vector<FieldVariable>& variables) {
+parallel::Bytes pack_blocks(const State<Dim>& state, const std::vector<FieldVariable>& variables,
+                            const std::vector<std::uint32_t>& touched) {
   parallel::Bytes out;
   std::vector<float> floats(static_cast<std::size_t>(floats_of(variables)) + state.bodies.size());
   const Box<Dim> layout = state.grid().layout();
@@ -132,7 +153,7 @@ parallel::Bytes pack_blocks(const State<Dim>& state, const std::vector<FieldVari
     for_each(cells, [&](const Index<Dim>& i) {
       const CellView<Dim> c{state, slot, i, static_cast<std::size_t>(layout.at(i - cells.lo)),
                             state.grid().full_volume(i)};
-      if (c.shown()) pack_cell(c, variables, floats, out);
+      if (c.shown()) pack_cell(c, variables, touched, floats, out);
     });
   }
   return out;
@@ -160,14 +181,17 @@ const std::vector<FieldVariable>& field_variables() {
       {"temperature", "temperature_K", "temperature [K]", 1, false},
       {"stress", "stress_GPa", "stress [GPa]", 6, true},
       {"von-mises", "von_mises_GPa", "von Mises stress [GPa]", 1, false},
-      {"volume-fraction", "volume_fraction", "volume fraction", 1, false}};
+      {"volume-fraction", "volume_fraction", "volume fraction", 1, false},
+      {"contact-state", "contact_state", "contact: 0 free, 1 touching, 2 slipping, 3 opened", 1, false},
+      {"gap", "gap_mm", "gap [mm]", 1, true},
+      {"contact-traction", "contact_traction_GPa", "contact traction [GPa]", 1, true}};
   return all;
 }
 
 template <int Dim>
 UnstructuredGrid gather_fields(const State<Dim>& state, const parallel::World& world,
                                const std::vector<FieldVariable>& variables) {
-  const auto all = world.gather(pack_blocks(state, variables));
+  const auto all = world.gather(pack_blocks(state, variables, have_touched(state, world)));
   UnstructuredGrid grid;
   if (world.rank() != 0) return grid;
   const std::size_t bodies = state.bodies.size();

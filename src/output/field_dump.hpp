@@ -28,7 +28,10 @@ const std::vector<FieldVariable>& field_variables();
 /// cell with matter or within 2 dx of a surface. Where bodies share a cell it shows the one that has most of
 /// it, its number in `body` (-1: none). Cells with less than 0.3 of a cell of matter have NaN for the state.
 /// `volume_fraction` is of all bodies; `contact` has the bit of every body that the shown one touched in the
-/// last step; `level_set_NAME_m` is the signed distance to each body, cut off at 8 dx.
+/// last step. On surfaces, else NaN: `contact_state` (0 free, 1 touching, 2 slipping, 3 opened: apart, but
+/// facing within 8 cells a body touched before), `gap_mm` to the nearest body (NaN: none within 8 cells;
+/// below 0: overlap) and the normal `contact_traction_GPa`. `level_set_NAME_m` is the signed distance to each
+/// body, cut off at 8 dx.
 template <int Dim>
 class FieldDump {
  public:

@@ -33,6 +33,10 @@ void add_contacts(Quantities& q, const EventWatch& events) {
       const std::string name = "contact." + pair;
       q.numbers[name + ".made"] = s.made;
       q.numbers[name + ".opens"] = s.opens;
+      q.numbers[name + ".lasts"] = s.opens - s.made;
+      q.numbers[name + ".recloses"] = s.closes_again;
+      q.numbers[name + ".reopens"] = s.opens_again;
+      q.numbers[name + ".restitution"] = s.restitution;
       q.flags[name + ".made"] = !std::isnan(s.made);
       q.flags[name + ".opens"] = !std::isnan(s.opens);
       q.flags[name + ".recloses"] = s.recloses;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "output/contact_cells.hpp"
 
 namespace recoil {
 
@@ -33,7 +34,30 @@ struct ColumnList {
   }
 };
 
-std::vector<SeriesColumn> columns_of(Kind kind, const RunUnits& units) {
+/// Places of the sums over the cells in contact, then of the maxima.
+template <int Dim>
+struct At {
+  static constexpr std::size_t area = 0, traction = 1, velocity = 2, gap = 3, power = 4, force = 5,
+                               shear = force + Dim, sums = shear + Dim, widest = sums, deepest = sums + 1;
+};
+
+void contact_columns(ColumnList& list, const RunUnits& units, bool directed) {
+  list.one("traction", "GPa", 1e-9);
+  list.one("velocity", "m/s");
+  list.one("area", units.area);
+  for (const char* name : {"gap", "widest-gap", "deepest-overlap"}) list.one(name, "dx");
+  list.axes("force", units.force);
+  list.axes("impulse", units.momentum);
+  list.one("work", units.energy);
+  for (const char* name : {"normal-force", "tangential-force"}) list.one(name, units.force);
+  for (const char* name : {"normal-impulse", "tangential-impulse"}) list.one(name, units.momentum);
+  list.one("friction", "1");
+  if (!directed) return;
+  list.one("force.along", units.force);
+  list.one("impulse.along", units.momentum);
+}
+
+std::vector<SeriesColumn> columns_of(Kind kind, const RunUnits& units, bool directed) {
   ColumnList list{units};
   switch (kind) {
     case Kind::surface_velocity:
@@ -61,13 +85,7 @@ std::vector<SeriesColumn> columns_of(Kind kind, const RunUnits& units) {
       list.one("plastic-strain", "1");
       break;
     case Kind::contact:
-      list.one("traction", "GPa", 1e-9);
-      list.one("velocity", "m/s");
-      list.one("area", units.area);
-      for (const char* name : {"gap", "widest-gap", "deepest-overlap"}) list.one(name, "dx");
-      list.axes("force", units.force);
-      list.axes("impulse", units.momentum);
-      list.one("work", units.energy);
+      contact_columns(list, units, directed);
       break;
   }
   return list.columns;
@@ -85,7 +103,14 @@ Gauges<Dim>::Gauges(const config::Case& c, const State<Dim>& state, const parall
                     const std::filesystem::path& folder, OrderedSums& sums)
     : world_(world), units_(run_units(c.domain.geometry)), dx_(state.grid().dx) {
   for (const config::Gauge& from : c.gauges) {
-    Gauge g{.kind = from.kind, .due = Due(from.every), .point = {}, .series = {}, .file = {}};
+    Gauge g{.kind = from.kind,
+            .due = Due(from.every),
+            .point = {},
+            .series = {},
+            .file = {},
+            .radius = from.radius,
+            .direction = {},
+            .part = {}};
     g.series.name = from.name;
     if (g.kind == Kind::contact) {
       const int a = number_of(state, from.pair[0]), b = number_of(state, from.pair[1]);
@@ -100,8 +125,12 @@ Gauges<Dim>::Gauges(const config::Case& c, const State<Dim>& state, const parall
     }
     if (g.kind == Kind::surface_velocity) g.item = sums.item(surface_sums<Dim>);
     if (g.kind == Kind::point) g.item = sums.item(point_sums<Dim>);
+    if (g.kind == Kind::contact) g.item = sums.item(At<Dim>::sums, 2);
     g.point.body = g.body;
-    for (int d = 0; d < Dim; ++d) g.point.at[d] = from.at[static_cast<std::size_t>(d)];
+    for (int d = 0; d < Dim; ++d) {
+      g.point.at[d] = from.at[static_cast<std::size_t>(d)];
+      g.direction[d] = from.direction[static_cast<std::size_t>(d)];
+    }
     if (world.rank() == 0) open(g, folder);
     gauges_.push_back(std::move(g));
   }
@@ -109,7 +138,7 @@ Gauges<Dim>::Gauges(const config::Case& c, const State<Dim>& state, const parall
 
 template <int Dim>
 void Gauges<Dim>::open(Gauge& g, const std::filesystem::path& folder) {
-  g.series.columns = columns_of(g.kind, units_);
+  g.series.columns = columns_of(g.kind, units_, g.direction != Vec<Dim>{});
   g.series.values.resize(g.series.columns.size());
   std::vector<std::string> names{"time [us]"};
   for (const SeriesColumn& c : g.series.columns) names.push_back(c.name + " [" + c.unit + "]");
@@ -123,11 +152,46 @@ bool Gauges<Dim>::needs_totals(double time) const {
   return false;
 }
 
+namespace {
+
+/// Adds the contact cells of a pair in this rank's blocks. Forces act on the lower-numbered body.
+template <int Dim>
+void probe_contact(const State<Dim>& state, int pair, const Vec<Dim>& at, double radius, int item,
+                   OrderedSums& sums) {
+  using A = At<Dim>;
+  for (int slot = 0; slot < state.mesh.local(); ++slot) {
+    std::span<double> row;
+    for_each_contact(state, slot, [&](const ContactCell<Dim>& c) {
+      const int lower = std::min(c.first, c.second), higher = std::max(c.first, c.second);
+      if (pair_number(lower, higher, state.count()) != pair) return;
+      if (radius > 0 && norm(c.point - at) > radius) return;
+      if (row.empty()) row = sums.add(item, state.mesh.block(slot).order);
+      const double sign = c.first == lower ? 1 : -1, speed = dot(c.velocity, c.normal),
+                   gap = c.gap / state.grid().dx;
+      row[A::area] += c.area;
+      row[A::traction] += c.traction * c.area;
+      row[A::velocity] += speed * c.area;
+      row[A::gap] += c.gap * c.area;
+      row[A::power] += sign * (c.traction * c.area * speed + dot(c.shear_force, c.velocity));
+      for (int d = 0; d < Dim; ++d) {
+        const auto k = static_cast<std::size_t>(d);
+        row[A::force + k] += sign * (c.traction * c.area * c.normal[d] + c.shear_force[d]);
+        row[A::shear + k] += sign * c.shear_force[d];
+      }
+      row[A::widest] = std::max(row[A::widest], gap);
+      row[A::deepest] = std::max(row[A::deepest], -gap);
+    });
+  }
+}
+
+}  // namespace
+
 template <int Dim>
 void Gauges<Dim>::collect(const State<Dim>& state, OrderedSums& sums, bool at_rest) const {
   for (const Gauge& g : gauges_) {
     if (g.kind == Kind::surface_velocity && at_rest) probe_surface_at_rest(state, g.point, g.item, sums);
     if (g.kind == Kind::surface_velocity && !at_rest) probe_surface(state, g.point, g.item, sums);
+    if (g.kind == Kind::contact && !at_rest) probe_contact(state, g.pair, g.point.at, g.radius, g.item, sums);
     if (g.kind == Kind::point) probe_point(state, g.body, g.point.at, g.item, sums);
   }
 }
@@ -152,7 +216,34 @@ void Gauges<Dim>::read_body(const BodyTotals<Dim>& b) {
 }
 
 template <int Dim>
-void Gauges<Dim>::read_contact(const Gauge& g, const PairSample& p) {
+double Gauges<Dim>::along(const Gauge& g, const std::array<double, 3>& v) const {
+  double sum = 0;
+  for (int d = 0; d < Dim; ++d) sum += g.direction[d] * v[static_cast<std::size_t>(d)];
+  return sum;
+}
+
+template <int Dim>
+void Gauges<Dim>::follow_contact(Gauge& g, double dt, const OrderedSums& sums) {
+  using A = At<Dim>;
+  const std::span<const double> now = sums.total(g.item);
+  double shear = 0;
+  for (std::size_t d = 0; d < Dim; ++d) shear += now[A::shear + d] * now[A::shear + d];
+  g.normal_impulse -= dt * now[A::traction];
+  g.tangential_impulse += dt * std::sqrt(shear);
+  PairSample& p = g.part;
+  p.area = now[A::area], p.traction = now[A::traction], p.velocity = now[A::velocity], p.gap = now[A::gap];
+  p.work += dt * now[A::power];
+  for (std::size_t d = 0; d < Dim; ++d) {
+    p.force[d] = now[A::force + d];
+    p.impulse[d] += dt * p.force[d];
+  }
+  p.widest_gap = std::max(now[A::widest], 0.0);
+  p.deepest_overlap = -std::max(now[A::deepest], 0.0);
+}
+
+template <int Dim>
+void Gauges<Dim>::read_contact(const Gauge& g, const PairSample& p, const OrderedSums& sums) {
+  using A = At<Dim>;
   const double sign = units_.whole * (g.turned ? -1 : 1);
   const bool touching = p.area > 0;
   row_.push_back(touching ? p.traction / p.area : 0);
@@ -164,6 +255,15 @@ void Gauges<Dim>::read_contact(const Gauge& g, const PairSample& p) {
   for (std::size_t d = 0; d < Dim; ++d) row_.push_back(sign * p.force[d]);
   for (std::size_t d = 0; d < Dim; ++d) row_.push_back(sign * p.impulse[d]);
   row_.push_back(sign * p.work);
+  const std::span<const double> now = sums.total(g.item);
+  double shear = 0;
+  for (std::size_t d = 0; d < Dim; ++d) shear += now[A::shear + d] * now[A::shear + d];
+  row_.insert(row_.end(), {units_.whole * -now[A::traction], units_.whole * std::sqrt(shear),
+                           units_.whole * g.normal_impulse, units_.whole * g.tangential_impulse});
+  row_.push_back(g.normal_impulse > 0 ? g.tangential_impulse / g.normal_impulse : nothing);
+  if (g.direction == Vec<Dim>{}) return;
+  row_.push_back(sign * along(g, p.force));
+  row_.push_back(sign * along(g, p.impulse));
 }
 
 template <int Dim>
@@ -176,7 +276,7 @@ void Gauges<Dim>::read(Gauge& g, double dt, const OrderedSums& sums, const std::
     case Kind::body:
       return read_body(totals->bodies[static_cast<std::size_t>(g.body)]);
     case Kind::contact:
-      return read_contact(g, pairs[static_cast<std::size_t>(g.pair)]);
+      return read_contact(g, g.radius > 0 ? g.part : pairs[static_cast<std::size_t>(g.pair)], sums);
     case Kind::point: {
       const auto found = sums.total(g.item);
       const bool there = sums.any(g.item);
@@ -221,6 +321,7 @@ void Gauges<Dim>::record(double time, double dt, const OrderedSums& sums,
                          const std::vector<PairSample>& pairs, const Totals<Dim>* totals, bool all) {
   for (Gauge& g : gauges_) {
     const bool due = all || g.due.at(time);
+    if (world_.rank() == 0 && g.kind == Kind::contact) follow_contact(g, dt, sums);
     if (world_.rank() == 0 && (due || g.kind == Kind::surface_velocity)) {
       read(g, dt, sums, pairs, totals);
       if (due) write(g, time);

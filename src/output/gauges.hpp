@@ -29,7 +29,13 @@ namespace recoil {
 ///   contact           traction (mean over the area in contact, positive in tension; 0 when apart), velocity
 ///   (of the work, along the
 ///                     normal out of the first body), area, gap (mean), widest-gap, deepest-overlap,
-///                     force.AXIS and impulse.AXIS on the first named body, work done on it
+///                     force.AXIS and impulse.AXIS on the first named body, work done on it; normal-force and
+///                     tangential-force (their sizes, normal and tangent to the surface cell by cell), the
+///                     time integrals of these, normal-impulse and tangential-impulse, and friction, the
+///                     second over the first; with a direction force.along and impulse.along it.
+///                     With a radius only cells within it count. Force and work are then integrated over time
+///                     from the last stage of each step, which stands in its middle; without, impulse and
+///                     work are what was exchanged, to the last bit.
 template <int Dim>
 class Gauges {
  public:
@@ -62,13 +68,21 @@ class Gauges {
     SurfacePoint<Dim> point;
     TimeSeries series;
     std::optional<CsvWriter> file;
+    double radius = 0;          // of the part of a contact that counts; 0: all
+    Vec<Dim> direction;         // or zero
+    PairSample part;            // of that part, when it is not all
+    double normal_impulse = 0;  // since the start
+    double tangential_impulse = 0;
   };
   void open(Gauge& g, const std::filesystem::path& folder);
+  /// What needs every step: follows the contact on rank 0.
+  void follow_contact(Gauge& g, double dt, const OrderedSums& sums);
+  double along(const Gauge& g, const std::array<double, 3>& v) const;
   void read(Gauge& g, double dt, const OrderedSums& sums, const std::vector<PairSample>& pairs,
             const Totals<Dim>* totals);
   void read_surface_velocity(Gauge& g, double dt, const OrderedSums& sums);
   void read_body(const BodyTotals<Dim>& body);
-  void read_contact(const Gauge& g, const PairSample& pair);
+  void read_contact(const Gauge& g, const PairSample& pair, const OrderedSums& sums);
   void write(Gauge& g, double time);
   void share_points();
 

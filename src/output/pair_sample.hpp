@@ -17,10 +17,12 @@ struct PairSample {
   double widest_gap = 0, deepest_overlap = 0;  // in dx
 };
 
-/// Mass and momentum of a body at one time, in any common unit; mass 0: rigid.
+/// Mass and momentum of a body at one time, in any common unit. Mass 0: it moves as prescribed, with
+/// `velocity`.
 struct BodyMotion {
   double mass = 0;
   std::array<double, 3> momentum{};
+  std::array<double, 3> velocity{};
 };
 
 }  // namespace recoil

@@ -36,7 +36,8 @@ struct Request {
   std::string quantity, gauge, column, reduction, argument;
 };
 
-constexpr const char* reductions[] = {"at", "peak", "last", "mean", "rms", "arrival", "error"};
+constexpr const char* reductions[] = {"at",   "peak", "last",    "max",   "min",
+                                      "mean", "rms",  "arrival", "until", "error"};
 
 Request parse_request(const std::string& quantity) {
   Request r;
@@ -61,11 +62,13 @@ Request parse_request(const std::string& quantity) {
   } else {
     throw InputError(
         fmt::format("error: the quantity '{}' does not say which value of the record\n"
-                    "   = help: append @TIME, .peak, .last, .mean@FROM..TO, .rms@FROM..TO or .arrival@LEVEL",
+                    "   = help: append @TIME, .peak, .last, .max, .min, .mean@FROM..TO, .rms@FROM..TO, "
+                    ".arrival@LEVEL or .until@LEVEL",
                     quantity));
   }
   const bool bare = r.reduction == "peak" || r.reduction == "last";
-  if (bare != r.argument.empty())
+  const bool either = r.reduction == "max" || r.reduction == "min";
+  if (!either && bare != r.argument.empty())
     throw InputError(fmt::format("error: the quantity '{}': '{}' {}", quantity, r.reduction,
                                  bare ? "takes nothing behind '@'" : "needs something behind '@'"));
   return r;
@@ -119,13 +122,24 @@ std::string si_unit(const SeriesColumn& column) {
   return column.unit == "1" || column.unit == "dx" ? "1" : config::si_unit_of(column.unit);
 }
 
+/// The largest or smallest value, of the whole record or of a span of time.
+double extreme(const Request& r, const Curve& curve) {
+  if (curve.t.empty()) return nothing;
+  const Window w = r.argument.empty() ? Window{curve.t.front(), curve.t.back()} : parse_window(r, r.argument);
+  if (curve.t.size() == 1 && r.argument.empty()) return curve.y.front();
+  return r.reduction == "max" ? most_over(curve, w.from, w.to) : least_over(curve, w.from, w.to);
+}
+
 double reduce(const Quantities& q, const Request& r, const TimeSeries& series, std::size_t column) {
   const Curve curve = curve_of(series, column);
   if (r.reduction == "at") return value_at(curve, number_of(r.quantity, r.argument, "s"));
   if (r.reduction == "peak") return peak_of(curve).value;
   if (r.reduction == "last") return curve.y.empty() ? nothing : curve.y.back();
+  if (r.reduction == "max" || r.reduction == "min") return extreme(r, curve);
   if (r.reduction == "arrival")
     return arrival_at(curve, number_of(r.quantity, r.argument, si_unit(series.columns[column])));
+  if (r.reduction == "until")
+    return last_at(curve, number_of(r.quantity, r.argument, si_unit(series.columns[column])));
   const std::size_t colon = r.reduction == "error" ? r.argument.find(':') : std::string::npos;
   const Window w = parse_window(r, r.argument.substr(0, colon));
   if (r.reduction == "mean") return mean_over(curve, w.from, w.to);

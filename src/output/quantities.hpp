@@ -17,8 +17,10 @@ namespace recoil {
 ///              @3.8us             the value then, linear between records; also .at@3.8us
 ///              .peak              the value of the largest magnitude, with its sign
 ///              .last              the last value
+///              .max, .min         the largest and the smallest value; also over a time: .max@0.2us..0.5us
 ///              .mean@0.2us..0.5us the mean over that time
 ///              .rms@0.2us..0.5us  the root of the mean squared deviation from that mean
+///              .until@100m/s      the last time at which the column crosses that level
 ///              .arrival@100m/s    the first time at which the column reaches that level, in its direction
 ///              from the first value .error@3us..5us:FILE:COLUMN  the mean of |column - reference| over that
 ///              time; FILE is a CSV table beside the case

@@ -233,7 +233,11 @@ void Recorder<Dim>::begin(const State<Dim>& state) {
     for (const BodyTotals<Dim>& b : totals.bodies) {
       BodyMotion& motion = start.emplace_back();
       motion.mass = b.mass;
-      for (int d = 0; d < Dim; ++d) motion.momentum[static_cast<std::size_t>(d)] = b.momentum[d];
+      const auto& rigid = state.bodies[start.size() - 1].rigid;
+      for (int d = 0; d < Dim; ++d) {
+        motion.momentum[static_cast<std::size_t>(d)] = b.momentum[d];
+        if (rigid) motion.velocity[static_cast<std::size_t>(d)] = rigid->velocity[d];
+      }
     }
     p.events.begin(start);
     p.look(totals, true);

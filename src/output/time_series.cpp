@@ -101,6 +101,18 @@ Peak peak_of(const Curve& curve) {
   return peak;
 }
 
+double least_over(const Curve& curve, double from, double to) {
+  double least = nothing;
+  for (const double t : knots(curve, from, to)) least = std::fmin(least, value_at(curve, t));
+  return least;
+}
+
+double most_over(const Curve& curve, double from, double to) {
+  double most = nothing;
+  for (const double t : knots(curve, from, to)) most = std::fmax(most, value_at(curve, t));
+  return most;
+}
+
 double arrival_at(const Curve& curve, double level) {
   if (curve.t.empty()) return nothing;
   const bool rising = curve.y.front() < level;
@@ -110,6 +122,15 @@ double arrival_at(const Curve& curve, double level) {
     if (i == 0) return curve.t[0];
     const double s = (level - curve.y[i - 1]) / (curve.y[i] - curve.y[i - 1]);
     return curve.t[i - 1] + s * (curve.t[i] - curve.t[i - 1]);
+  }
+  return nothing;
+}
+
+double last_at(const Curve& curve, double level) {
+  for (std::size_t i = curve.t.size(); i-- > 1;) {
+    const double a = curve.y[i - 1], b = curve.y[i];
+    if ((a < level) == (b < level)) continue;
+    return curve.t[i - 1] + (level - a) / (b - a) * (curve.t[i] - curve.t[i - 1]);
   }
   return nothing;
 }

@@ -49,8 +49,15 @@ struct Peak {
 };
 Peak peak_of(const Curve& curve);
 
+/// Smallest and largest value over [from, to], of the points and of the ends; NaN where the curve does not
+/// reach that far.
+double least_over(const Curve& curve, double from, double to);
+double most_over(const Curve& curve, double from, double to);
+
 /// First time at which the curve reaches `level`, coming from the side of its first value; NaN if never.
 double arrival_at(const Curve& curve, double level);
+/// Last time at which the curve crosses `level`; NaN if never.
+double last_at(const Curve& curve, double level);
 /// First time at which the curve has made half of its largest change from the first value; NaN if it never
 /// changes.
 double arrival_of(const Curve& curve);

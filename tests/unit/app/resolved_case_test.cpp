@@ -68,6 +68,12 @@ kind = "point"
 body = "b"
 at = { x = "6 mm", y = "6 mm" }
 every = "10 ns"
+[gauge.touch]
+kind = "contact"
+pair = "c-b"
+at = { x = "7 mm", y = "7 mm" }
+radius = "2 mm"
+direction = { x = 3, y = -4 }
 [expect]
 "gauge.g.pressure.peak" = { at-most = "1 GPa", source = "nowhere" }
 )";

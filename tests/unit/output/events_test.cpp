@@ -78,6 +78,8 @@ TEST(Events, Reclosure) {
   s.go(opening_steps, 0);
   const PairStory story = s.end();
   EXPECT_NEAR(story.opens, 3 * dt, 1e-15) << "the first opening";
+  EXPECT_NEAR(story.closes_again, (3 + opening_steps) * dt, 1e-15);
+  EXPECT_NEAR(story.opens_again, (4 + opening_steps) * dt, 1e-15);
   EXPECT_EQ(s.kinds(), (std::vector<std::string>{"contact", "opening", "reclosure", "opening"}));
 }
 
@@ -104,11 +106,26 @@ TEST(Events, RicochetIsAReversal) {
   EXPECT_EQ(back.watch.events()[2].detail.find("flyer: 10 m/s towards target before, 5 m/s away"), 0U)
       << back.watch.events()[2].detail;
 
+  // From 10 m/s to -5 m/s, and the target of four times the mass to 3.75 m/s.
+  EXPECT_NEAR(back.watch.stories()[0].restitution, (3.75 + 5) / 10, 1e-12);
+
   Story slowed;
   slowed.go(10, 1);  // still 5 m/s forwards
   slowed.go(30, 0);
   slowed.end();
   EXPECT_EQ(slowed.kinds(), (std::vector<std::string>{"contact", "opening"}));
+}
+
+TEST(Events, RestitutionAgainstAMovingWall) {
+  EventWatch watch({"wall", "ball"}, config::Geometry::line);
+  watch.begin({{0, {}, {2, 0, 0}}, {3, {-12, 0, 0}, {}}});  // -4 m/s towards 2 m/s
+  for (int n = 1; n <= 60; ++n) {
+    PairSample s;
+    s.area = n <= 30 ? 1 : 0;
+    s.impulse = {-std::min(n, 30) * 1.0, 0, 0};  // on the wall; the ball leaves at 6 m/s
+    watch.step(n * dt, dt, {s});
+  }
+  EXPECT_NEAR(watch.stories()[0].restitution, 4.0 / 6, 1e-12);
 }
 
 TEST(Events, NewsComeOnceAndLiftOffTwice) {

@@ -35,6 +35,13 @@ TEST(Quantities, OfGauges) {
   EXPECT_NEAR(value("gauge.rear.velocity.rms@2us..4us"), 0, 1e-9);
   EXPECT_DOUBLE_EQ(value("gauge.rear.velocity.arrival@150m/s"), 1.5e-6);
   EXPECT_DOUBLE_EQ(value("gauge.rear.stress.xx.arrival@-1GPa"), 0.5e-6);
+  EXPECT_DOUBLE_EQ(value("gauge.rear.stress.xx.until@-1GPa"), 1.5e-6) << "the last crossing";
+  EXPECT_DOUBLE_EQ(value("gauge.rear.stress.xx.max"), 0) << "not the largest magnitude";
+  EXPECT_DOUBLE_EQ(value("gauge.rear.stress.xx.min"), -2e9);
+  EXPECT_DOUBLE_EQ(value("gauge.rear.velocity.max@0.5us..1.5us"), 150) << "between records, at the end";
+  EXPECT_DOUBLE_EQ(value("gauge.rear.velocity.min@0.5us..1.5us"), 50);
+  EXPECT_TRUE(std::isnan(value("gauge.rear.velocity.until@300m/s")));
+  EXPECT_TRUE(std::isnan(value("gauge.rear.velocity.max@3us..5us"))) << "the record ends at 4 us";
 }
 
 TEST(Quantities, AgainstAReferenceCurve) {
@@ -69,6 +76,8 @@ TEST(Quantities, ComplainAboutWhatCannotBe) {
   expect_complaint("gauge.rear.velocity.peak@1us", "takes nothing");
   expect_complaint("gauge.rear.velocity.mean@1us", "no span");
   expect_complaint("gauge.rear.velocity@3mm", "time");
+  expect_complaint("gauge.rear.velocity.max@3us", "no span");
+  expect_complaint("gauge.rear.velocity.until", "needs something");
   expect_complaint("contact.a-b.open", "contact.a-b.opens");
   EXPECT_THROW(measure(sample(), "contact.a-b.reclose", true), InputError);
 }
