@@ -1,6 +1,7 @@
 #include "dynamics/block_update.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "cutcell/geometry.hpp"
 #include "dynamics/flux.hpp"
@@ -102,7 +103,7 @@ void poor_face(const EosModel& eos, double g, const Work<Dim>& w, std::ptrdiff_t
     stress[s] = w.stress[from[s]];
     impedance[s] = w.impedance[from[s]];
   }
-  const FaceRow<Dim> row{value.data(), stress.data(), impedance.data(), 6, 3, 1, 1};
+  const Row<Dim> row{value.data(), stress.data(), impedance.data(), 6, 3, 1, 1};
   counters.first_order_faces += face_fluxes<Dim, Axis, Shear>(eos, g, row, out);
 }
 
@@ -111,6 +112,114 @@ bool complete(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step) {
   for (int s = -3; s < 3; ++s)
     if ((w.role[at + s * step] & valued) == 0) return false;
   return true;
+}
+
+/// All faces of a block's cells across one axis: their open areas, and where their fluxes go.
+template <int Dim>
+struct Faces {
+  Box<Dim> box;
+  const double* area = nullptr;
+  FaceFlux<Dim> flux;
+
+  FaceFlux<Dim> flux_at(int face) const { return {flux.flux, flux.velocity, flux.faces, face}; }
+};
+
+/// Places of the first open face of a row of `width` faces, and behind the last. Empty: both 0.
+struct Span {
+  int lo = 0, hi = 0;
+  bool empty() const { return hi <= lo; }
+};
+
+Span open_span(const double* area, int width) {
+  int lo = 0, hi = width;
+  while (lo < hi && area[lo] == 0) ++lo;
+  while (hi > lo && area[hi - 1] == 0) --hi;
+  return hi > lo ? Span{lo, hi} : Span{};
+}
+
+Span both(const Span& a, const Span& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
+}
+
+/// Faces across axis 0: a row of cells holds both sides of its row of faces.
+template <int Dim, bool Shear, class EosModel>
+void solve_along_rows(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+                      Counters& counters) {
+  FaceValues<Dim> low, high;
+  Box<Dim> rows = out.box;
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](const Index<Dim>& r) {
+    const int at_face = out.box.at(r), at_cell = w.window.at(r);
+    const Span open = open_span(out.area + at_face, out.box.extent(0));
+    for (int from = open.lo; from < open.hi; from += longest_row - 1) {
+      const int count = std::min(open.hi - from, longest_row - 1);
+      Row<Dim> row{w.primitive, w.stress, w.impedance, w.wide, at_cell + from - 1, 1, count + 1};
+      reconstruct<Dim, 0, Shear>(eos, g, row, 0, low, high);
+      ++row.first;
+      row.count = count;
+      counters.first_order_faces +=
+          solve_faces<Dim, 0, Shear>(eos, g, row, high, 0, low, 1, out.flux_at(at_face + from));
+    }
+  });
+}
+
+/// Faces across another axis: row by row along it; what a row of cells has at its high faces waits for the next.
+template <int Dim, int Axis, bool Shear, class EosModel>
+void solve_across_rows(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+                       Counters& counters) {
+  FaceValues<Dim> low, high_a, high_b;
+  FaceValues<Dim>*high = &high_a, *behind = &high_b;
+  const std::ptrdiff_t step = w.window.stride(Axis);
+  const int next = out.box.stride(Axis), width = out.box.extent(0), layers = out.box.extent(Axis);
+  Box<Dim> columns = out.box;
+  columns.hi[0] = columns.lo[0] + 1;
+  columns.hi[Axis] = columns.lo[Axis] + 1;
+  for_each(columns, [&](const Index<Dim>& r) {
+    for (int from = 0; from < width; from += longest_row) {
+      const int count = std::min(width - from, longest_row);
+      const int at_face = out.box.at(r) + from, at_cell = w.window.at(r) + from;
+      Span open;
+      for (int layer = -1; layer < layers; ++layer) {  // of cells; its high faces are faces layer + 1
+        const std::ptrdiff_t first = at_cell + layer * step;
+        const Span ahead = layer + 1 < layers ? open_span(out.area + at_face + (layer + 1) * next, count) : Span{};
+        const Span all = both(open, ahead);
+        if (!all.empty())
+          reconstruct<Dim, Axis, Shear>(
+              eos, g, {w.primitive, w.stress, w.impedance, w.wide, first + all.lo, step, all.hi - all.lo}, all.lo,
+              low, *high);
+        if (!open.empty())
+          counters.first_order_faces += solve_faces<Dim, Axis, Shear>(
+              eos, g, {w.primitive, w.stress, w.impedance, w.wide, first + open.lo, step, open.hi - open.lo},
+              *behind, open.lo, low, open.lo, out.flux_at(at_face + layer * next + open.lo));
+        std::swap(high, behind);
+        open = ahead;
+      }
+    }
+  });
+}
+
+/// Nothing passes closed faces; those whose stencil lacks values are done on their own.
+template <int Dim, int Axis, bool Shear, class EosModel>
+void mend_faces(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out, Counters& counters) {
+  using C = Components<Dim>;
+  const std::ptrdiff_t step = w.window.stride(Axis);
+  Box<Dim> rows = out.box;
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = out.box.extent(0);
+  for_each(rows, [&](const Index<Dim>& r) {
+    const int at_face = out.box.at(r), at_cell = w.window.at(r);
+    for (int i = 0; i < width; ++i) {
+      const auto face = static_cast<std::size_t>(at_face + i);
+      if (out.area[face] == 0) {
+        for (std::size_t c = 0; c < C::contents; ++c) out.flux.flux[c * out.flux.faces + face] = 0;
+        for (std::size_t d = 0; d < Dim; ++d) out.flux.velocity[d * out.flux.faces + face] = 0;
+      } else if (w.role && !complete(w, at_cell + i, step)) {
+        poor_face<Dim, Axis, Shear>(eos, g, w, at_cell + i, step, out.flux_at(at_face + i), counters);
+      }
+    }
+  });
 }
 
 /// Fluxes through all faces across one axis, their open areas, and what they add to the block's cells.
@@ -138,32 +247,12 @@ void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Di
   }
   open_areas(w.grid, w.window, geometry, Axis, area);
 
-  const std::ptrdiff_t step = w.window.stride(Axis);
-  const int width = faces.extent(0);
-  Box<Dim> rows = faces;
-  rows.hi[0] = rows.lo[0] + 1;
-  for_each(rows, [&](const Index<Dim>& r) {
-    const int at_face = faces.at(r), at_cell = w.window.at(r);
-    int lo = 0, hi = width;
-    while (lo < hi && area[at_face + lo] == 0) ++lo;
-    while (hi > lo && area[at_face + hi - 1] == 0) --hi;
-    for (int from = lo; from < hi; from += longest_row) {
-      const FaceRow<Dim> row{
-          w.primitive, w.stress, w.impedance, w.wide, at_cell + from, step, std::min(hi - from, longest_row)};
-      counters.first_order_faces +=
-          face_fluxes<Dim, Axis, Shear>(eos, g, row, {flux, velocity, nf, at_face + from});
-    }
-    for (int i = 0; i < width; ++i) {
-      if (area[at_face + i] == 0) {
-        for (std::size_t c = 0; c < C::contents; ++c)
-          flux[c * nf + static_cast<std::size_t>(at_face + i)] = 0;
-        for (std::size_t d = 0; d < Dim; ++d) velocity[d * nf + static_cast<std::size_t>(at_face + i)] = 0;
-      } else if (w.role && !complete(w, at_cell + i, step)) {
-        poor_face<Dim, Axis, Shear>(eos, g, w, at_cell + i, step, {flux, velocity, nf, at_face + i},
-                                    counters);
-      }
-    }
-  });
+  const Faces<Dim> out{faces, area, {flux, velocity, nf, 0}};
+  if constexpr (Axis == 0)
+    solve_along_rows<Dim, Shear>(eos, g, w, out, counters);
+  else
+    solve_across_rows<Dim, Axis, Shear>(eos, g, w, out, counters);
+  mend_faces<Dim, Axis, Shear>(eos, g, w, out, counters);
 
   const std::ptrdiff_t next = faces.stride(Axis);
   Box<Dim> cell_rows = w.cells;

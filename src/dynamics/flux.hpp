@@ -1,25 +1,33 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
 #include "dynamics/primitives.hpp"
 #include "dynamics/reconstruction.hpp"
 
 namespace recoil {
 
-/// The longest row of faces that one call takes.
+/// The longest row of cells or faces that one call takes.
 inline constexpr int longest_row = 96;
 
-/// Where a row of faces reads. Face i of the row lies between cells `first + i - step` and `first + i` of
-/// arrays that hold every component of every cell of a window.
+/// Where a row of cells, or of faces, reads. Arrays hold every component of every cell of a window. Cell i of a
+/// row of cells is `first + i`; face i of a row of faces lies between cells `first + i - step` and `first + i`.
 template <int Dim>
-struct FaceRow {
+struct Row {
   const double* primitive = nullptr;   // [Components::primitives][cells]
   const double* stress = nullptr;      // [cells] sigma_nn = S_nn - p along the row's axis
   const double* impedance = nullptr;   // [cells] rho c_L
   std::size_t cells = 0;               // of the window
-  std::ptrdiff_t first = 0, step = 1;  // step: distance in memory along the axis that the faces cross
+  std::ptrdiff_t first = 0, step = 1;  // step: distance in memory along the axis
   int count = 0;
+};
+
+/// Primitives of a row of cells at one of their two faces across an axis.
+template <int Dim>
+struct FaceValues {
+  alignas(64) double value[Components<Dim>::primitives][longest_row];
+  alignas(64) double stress[longest_row];  // sigma_nn
 };
 
 /// Flux per area along the axis, and the star velocities.
@@ -31,185 +39,259 @@ struct FaceFlux {
   std::ptrdiff_t first = 0;    // place of the row's first face
 };
 
-/// Fluxes through one row of faces across `Axis`: WENO5-Z of the characteristic-like sigma +- Z u and tau +-
-/// Z_s v and of the remaining primitives, then an HLLC solver whose wave speeds are elastic, with acoustic
-/// shear waves. Unphysical reconstructions fall back to the cell's own state.
-/// @param shear false for fluids: no shear waves at all.
-/// @returns how many states fell back.
-template <int Dim, int Axis, bool Shear, class EosModel>
-int face_fluxes(const EosModel& eos, double shear_modulus, const FaceRow<Dim>& in, const FaceFlux<Dim>& out) {
-  using C = Components<Dim>;
-  constexpr auto P = static_cast<std::size_t>(C::primitives);
-  constexpr std::size_t un = C::u + Axis;
-  const std::ptrdiff_t st = in.step;
-  const int count = in.count;
-  alignas(64) double left[P][longest_row], right[P][longest_row], stress_left[longest_row],
-      stress_right[longest_row];
-  const auto of = [&](std::size_t c) { return in.primitive + c * in.cells + in.first; };
+namespace detail {
 
-  const auto plain = [&](std::size_t c, double least) {
-    const double* q = of(c);
-    double *l = left[c], *r = right[c];
+/// Smallest differences that count, squared: of stresses [Pa2] and velocities [m2/s2].
+inline constexpr double stress_scale = 1e8, velocity_scale = 1e-2;
+
+/// The five cells about cell i of a row.
+template <class Value>
+[[gnu::always_inline]] inline Ends ends_of(const Value& value, std::ptrdiff_t step, double least) {
+  return weno5z(value(-2 * step), value(-step), value(0), value(step), value(2 * step), least);
+}
+
+/// WENO5-Z of one array.
+inline void reconstruct_plain(const double* q, std::ptrdiff_t step, int count, double least, double* low,
+                              double* high) {
 #pragma omp simd
-    for (int i = 0; i < count; ++i) {
-      const double a = q[i - 3 * st], b = q[i - 2 * st], x = q[i - st], y = q[i], d = q[i + st],
-                   e = q[i + 2 * st];
-      l[i] = weno5z(a, b, x, y, d, least);
-      r[i] = weno5z(e, d, y, x, b, least);
-    }
-  };
-  const double velocity_scale = 1e-2, stress_scale = 1e8;
-  plain(C::rho, 1e-6 * eos.rho0 * eos.rho0);
-  for (std::size_t c = C::s; c < C::ep; ++c) {
-    bool sheared = false;
-    for (int t = 0; t < Dim; ++t)
-      sheared = sheared || (t != Axis && static_cast<int>(c) == C::s + C::stress(Axis, t));
-    if (!(Shear && sheared)) plain(c, stress_scale);
+  for (int i = 0; i < count; ++i) {
+    const Ends at = ends_of([&](std::ptrdiff_t k) { return q[i + k]; }, step, least);
+    low[i] = at.low;
+    high[i] = at.high;
   }
+}
+
+/// WENO5-Z of the characteristic-like stress + Z u and stress - Z u with the cell's own Z; then back to stress
+/// and u. `impedance(i)`: of cell i.
+template <class Impedance>
+void reconstruct_waves(const double* stress, const double* u, const Impedance& impedance, std::ptrdiff_t step,
+                       int count, double* stress_low, double* stress_high, double* u_low, double* u_high) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double z = impedance(i), half = 0.5 / z;
+    const Ends plus = ends_of([&](std::ptrdiff_t k) { return mul_add(z, u[i + k], stress[i + k]); }, step,
+                              stress_scale);
+    const Ends minus = ends_of([&](std::ptrdiff_t k) { return mul_add(-z, u[i + k], stress[i + k]); }, step,
+                               stress_scale);
+    stress_low[i] = 0.5 * (plus.low + minus.low);
+    stress_high[i] = 0.5 * (plus.high + minus.high);
+    u_low[i] = (plus.low - minus.low) * half;
+    u_high[i] = (plus.high - minus.high) * half;
+  }
+}
+
+/// S_nn of a 3-d axis 2 is not stored: it follows from the trace.
+template <int Dim, int Axis, class Values>
+[[gnu::always_inline]] inline double normal_deviator(const Values& w, std::ptrdiff_t i) {
+  using C = Components<Dim>;
+  if constexpr (Dim == 3 && Axis == 2)
+    return -(w[C::s][i] + w[C::s + 1][i]);
+  else
+    return w[C::s + C::stress(Axis, Axis)][i];
+}
+
+}  // namespace detail
+
+/// Values of a row of cells at their low and high faces across `Axis`: WENO5-Z of the characteristic-like
+/// sigma +- Z u and tau +- Z_s v and of the remaining primitives, written from place `to` on. p is left to
+/// solve_faces().
+/// @param Shear false for fluids: no shear waves at all.
+template <int Dim, int Axis, bool Shear, class EosModel>
+void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, int to, FaceValues<Dim>& low,
+                 FaceValues<Dim>& high) {
+  using C = Components<Dim>;
+  const auto of = [&](int c) { return in.primitive + static_cast<std::size_t>(c) * in.cells + in.first; };
+  const auto plain = [&](int c, double least) {
+    detail::reconstruct_plain(of(c), in.step, in.count, least, low.value[c] + to, high.value[c] + to);
+  };
+  plain(C::rho, 1e-6 * eos.rho0 * eos.rho0);
   plain(C::ep, 1e-12);
   plain(C::heat, 1e-6);
   if constexpr (EosModel::barotropic) plain(C::extra, 1e-2);
 
-  // sigma + Z u and sigma - Z u, back to sigma and u on both sides
-  {
-    const double *s = in.stress + in.first, *u = of(un), *z = in.impedance + in.first;
-    double *ul = left[un], *ur = right[un];
-#pragma omp simd
-    for (int i = 0; i < count; ++i) {
-      const double Z = 0.5 * (z[i - st] + z[i]), half = 0.5 / Z;
-      const double sa = s[i - 3 * st], sb = s[i - 2 * st], sx = s[i - st], sy = s[i], sd = s[i + st],
-                   se = s[i + 2 * st];
-      const double ua = Z * u[i - 3 * st], ub = Z * u[i - 2 * st], ux = Z * u[i - st], uy = Z * u[i],
-                   ud = Z * u[i + st], ue = Z * u[i + 2 * st];
-      const double al = weno5z(sa + ua, sb + ub, sx + ux, sy + uy, sd + ud, stress_scale);
-      const double ar = weno5z(se + ue, sd + ud, sy + uy, sx + ux, sb + ub, stress_scale);
-      const double bl = weno5z(sa - ua, sb - ub, sx - ux, sy - uy, sd - ud, stress_scale);
-      const double br = weno5z(se - ue, sd - ud, sy - uy, sx - ux, sb - ub, stress_scale);
-      stress_left[i] = 0.5 * (al + bl);
-      stress_right[i] = 0.5 * (ar + br);
-      ul[i] = (al - bl) * half;
-      ur[i] = (ar - br) * half;
-    }
-  }
+  const double* z = in.impedance + in.first;
+  detail::reconstruct_waves(
+      in.stress + in.first, of(C::u + Axis), [z](int i) { return z[i]; }, in.step, in.count, low.stress + to,
+      high.stress + to, low.value[C::u + Axis] + to, high.value[C::u + Axis] + to);
+  const double* rho = of(C::rho);
   for (int t = 0; t < Dim; ++t) {
     if (t == Axis) continue;
-    const auto ut = static_cast<std::size_t>(C::u + t),
-               tau = static_cast<std::size_t>(C::s + C::stress(Axis, t));
-    if constexpr (!Shear) {
-      plain(ut, velocity_scale);
-      continue;
-    }
-    const double *s = of(tau), *u = of(ut), *rho = of(C::rho);
-    double *ul = left[ut], *ur = right[ut], *sl = left[tau], *sr = right[tau];
-#pragma omp simd
-    for (int i = 0; i < count; ++i) {
-      const double Z = 0.5 * (std::sqrt(rho[i - st] * shear_modulus) + std::sqrt(rho[i] * shear_modulus)),
-                   half = 0.5 / Z;
-      const double sa = s[i - 3 * st], sb = s[i - 2 * st], sx = s[i - st], sy = s[i], sd = s[i + st],
-                   se = s[i + 2 * st];
-      const double ua = Z * u[i - 3 * st], ub = Z * u[i - 2 * st], ux = Z * u[i - st], uy = Z * u[i],
-                   ud = Z * u[i + st], ue = Z * u[i + 2 * st];
-      const double al = weno5z(sa + ua, sb + ub, sx + ux, sy + uy, sd + ud, stress_scale);
-      const double ar = weno5z(se + ue, sd + ud, sy + uy, sx + ux, sb + ub, stress_scale);
-      const double bl = weno5z(sa - ua, sb - ub, sx - ux, sy - uy, sd - ud, stress_scale);
-      const double br = weno5z(se - ue, sd - ud, sy - uy, sx - ux, sb - ub, stress_scale);
-      sl[i] = 0.5 * (al + bl);
-      sr[i] = 0.5 * (ar + br);
-      ul[i] = (al - bl) * half;
-      ur[i] = (ar - br) * half;
-    }
-  }
-
-  // S_nn of a 3-d axis 2 is not stored: it follows from the trace.
-  const auto normal_stress = [](const auto& w, int i) {
-    if constexpr (Dim == 3 && Axis == 2)
-      return -(w[C::s][i] + w[C::s + 1][i]);
+    const int u = C::u + t, tau = C::s + C::stress(Axis, t);
+    if constexpr (Shear)
+      detail::reconstruct_waves(
+          of(tau), of(u), [=](int i) { return std::sqrt(rho[i] * shear_modulus); }, in.step, in.count,
+          low.value[tau] + to, high.value[tau] + to, low.value[u] + to, high.value[u] + to);
     else
-      return w[C::s + C::stress(Axis, Axis)][i];
-  };
-  const double c0 = bulk_sound_speed(eos), least_c2 = least_sound * c0 * c0, least_rho = 0.3 * eos.rho0;
-  int fallen = 0;
-  const auto mend = [&](double(*w)[longest_row], double* stress, std::ptrdiff_t shift) {
-    const double* rho = of(C::rho) + shift;
-#pragma omp simd reduction(+ : fallen)
-    for (int i = 0; i < count; ++i) {
-      const double r = w[C::rho][i], p = normal_stress(w, i) - stress[i];
-      w[C::p][i] = p;
-      const bool good = (r > 0.5 * rho[i]) & (r < 2 * rho[i]) & (r > least_rho) &
-                        (eos.sound_speed_squared(r, p) >= least_c2);
-      fallen += good ? 0 : 1;
-    }
-  };
-  mend(left, stress_left, -st);
-  mend(right, stress_right, 0);
-  if (fallen > 0) {
-    const auto restore = [&](double(*w)[longest_row], double* stress, std::ptrdiff_t shift) {
-      for (int i = 0; i < count; ++i) {
-        const double r = w[C::rho][i], rho = of(C::rho)[i + shift];
-        if ((r > 0.5 * rho) & (r < 2 * rho) & (r > least_rho) &
-            (eos.sound_speed_squared(r, w[C::p][i]) >= least_c2))
-          continue;
-        for (std::size_t c = 0; c < P; ++c) w[c][i] = of(c)[i + shift];
-        stress[i] = in.stress[in.first + i + shift];
-      }
-    };
-    restore(left, stress_left, -st);
-    restore(right, stress_right, 0);
+      plain(u, detail::velocity_scale);
   }
 
-  double *flux = out.flux + out.first, *velocity = out.velocity + out.first;
-  const std::size_t nf = out.faces;
-#pragma omp simd
-  for (int i = 0; i < count; ++i) {
-    const auto c_long = [&](double rho, double p) {
-      const double c2 = eos.sound_speed_squared(rho, p);
-      return std::sqrt((c2 > least_c2 ? c2 : least_c2) + 4 * shear_modulus / (3 * rho));
+  for (int c = C::s; c < C::ep; ++c) {
+    bool sheared = false;
+    for (int t = 0; t < Dim; ++t) sheared = sheared || (t != Axis && c == C::s + C::stress(Axis, t));
+    const bool from_trace = Dim == 3 && Axis == 2 && c < C::s + 2;
+    if (!(Shear && sheared) && !from_trace) plain(c, detail::stress_scale);
+  }
+  // Across axis 2 in 3-d S_zz and S_xx - S_yy are reconstructed, so that a wave along z is one along x turned.
+  if constexpr (Dim == 3 && Axis == 2) {
+    const double *xx = of(C::s), *yy = of(C::s + 1);
+    const std::ptrdiff_t step = in.step;
+    const auto back = [](double sum, double difference, double& s, double& t) {
+      s = 0.5 * (sum + difference);
+      t = 0.5 * (sum - difference);
     };
-    const double rl = left[C::rho][i], rr = right[C::rho][i], ul = left[un][i], ur = right[un][i];
-    const double sl = stress_left[i], sr = stress_right[i];
-    const double cl = c_long(rl, left[C::p][i]), cr = c_long(rr, right[C::p][i]);
-    const double low = ul - cl < ur - cr ? ul - cl : ur - cr, high = ul + cl > ur + cr ? ul + cl : ur + cr;
-    const double ml = rl * (low - ul), mr = rr * (high - ur);
-    const double star = (sl - sr + ml * ul - mr * ur) / (ml - mr), stress_star = sl - ml * (star - ul);
-    const bool from_left = star >= 0;
-    const double wave = from_left ? low : high, m = from_left ? ml : mr;
-    const bool beyond = from_left ? low >= 0 : high <= 0;  // the whole fan goes one way
-    const double rho = from_left ? rl : rr, u = from_left ? ul : ur, s = from_left ? sl : sr,
-                 p = from_left ? left[C::p][i] : right[C::p][i];
-    double energy = eos.energy(rho, p) + 0.5 * u * u;
-    if constexpr (EosModel::barotropic) energy += from_left ? left[C::extra][i] : right[C::extra][i];
-    double star_energy = energy - (stress_star * star - s * u) / m;
-    const double mass = beyond ? rho * u : m / (wave - star) * star;
-    const double out_u = beyond ? u : star, out_s = beyond ? s : stress_star;
-    double work = out_s * out_u;
-    for (int t = 0; t < Dim; ++t) {
-      if (t == Axis) continue;
-      const auto ut = static_cast<std::size_t>(C::u + t);
-      const double vl = left[ut][i], vr = right[ut][i], v = from_left ? vl : vr;
-      double v_out = v, tau_out = 0;
-      energy += 0.5 * v * v;
-      star_energy += 0.5 * v * v;
-      if constexpr (Shear) {
-        const auto at = static_cast<std::size_t>(C::s + C::stress(Axis, t));
-        const double tl = left[at][i], tr = right[at][i], tau = from_left ? tl : tr;
-        const double zl = std::sqrt(rl * shear_modulus), zr = std::sqrt(rr * shear_modulus);
-        const double v_star = (zl * vl + zr * vr + tr - tl) / (zl + zr), tau_star = tl + zl * (v_star - vl);
-        star_energy -= (tau_star * v_star - tau * v) / (from_left ? -zl : zr);
-        v_out = beyond ? v : v_star;
-        tau_out = beyond ? tau : tau_star;
-      }
-      flux[ut * nf + static_cast<std::size_t>(i)] = mass * v_out - tau_out;
-      velocity[static_cast<std::size_t>(t) * nf + static_cast<std::size_t>(i)] = v_out;
-      work += tau_out * v_out;
+#pragma omp simd
+    for (int i = 0; i < in.count; ++i) {
+      const Ends sum = detail::ends_of([&](std::ptrdiff_t k) { return xx[i + k] + yy[i + k]; }, step,
+                                       detail::stress_scale);
+      const Ends difference = detail::ends_of([&](std::ptrdiff_t k) { return xx[i + k] - yy[i + k]; }, step,
+                                              detail::stress_scale);
+      back(sum.low, difference.low, low.value[C::s][i + to], low.value[C::s + 1][i + to]);
+      back(sum.high, difference.high, high.value[C::s][i + to], high.value[C::s + 1][i + to]);
     }
-    flux[C::rho * nf + static_cast<std::size_t>(i)] = mass;
-    flux[un * nf + static_cast<std::size_t>(i)] = mass * out_u - out_s;
-    flux[C::energy * nf + static_cast<std::size_t>(i)] = mass * (beyond ? energy : star_energy) - work;
-    velocity[static_cast<std::size_t>(Axis) * nf + static_cast<std::size_t>(i)] = out_u;
-    for (std::size_t c = C::s; c < C::contents; ++c)
-      flux[c * nf + static_cast<std::size_t>(i)] = mass * (from_left ? left[c][i] : right[c][i]);
+  }
+}
+
+/// Fluxes through a row of faces across `Axis`, from the values on their left (from place `left_from` of its
+/// row) and on their right: an HLLC solver whose wave speeds are elastic, with acoustic shear waves.
+/// Unphysical values fall back to the cell's own state, for which `in` is read.
+/// @returns how many values fell back.
+template <int Dim, int Axis, bool Shear, class EosModel>
+int solve_faces(const EosModel& eos, double shear_modulus, const Row<Dim>& in, FaceValues<Dim>& left,
+                int left_from, FaceValues<Dim>& right, int right_from, const FaceFlux<Dim>& out) {
+  using C = Components<Dim>;
+  constexpr auto P = static_cast<std::size_t>(C::primitives);
+  constexpr std::size_t un = C::u + Axis;
+  const int count = in.count;
+  const double c0 = bulk_sound_speed(eos), least_c2 = least_sound * c0 * c0, least_rho = 0.3 * eos.rho0;
+  const double stiffness = 4.0 / 3 * shear_modulus;
+  alignas(64) double sound_left[longest_row], sound_right[longest_row];  // c_L
+
+  const auto good = [&](double rho, double own, double c2) {
+    return (rho > 0.5 * own) & (rho < 2 * own) & (rho > least_rho) & (c2 >= least_c2);
+  };
+  const auto c_long = [&](double rho, double c2) {
+    return std::sqrt((c2 > least_c2 ? c2 : least_c2) + stiffness / rho);
+  };
+  // p from the stress, and the sound speed; @returns how many states are no good.
+  const auto complete = [&](FaceValues<Dim>& w, int from, std::ptrdiff_t shift, double* sound) {
+    const double *own = in.primitive + C::rho * in.cells + in.first + shift, *rho = w.value[C::rho] + from,
+                 *stress = w.stress + from;
+    double* p = w.value[C::p] + from;
+    int bad = 0;
+#pragma omp simd reduction(+ : bad)
+    for (int i = 0; i < count; ++i) {
+      const double pressure = detail::normal_deviator<Dim, Axis>(w.value, i + from) - stress[i];
+      const double c2 = eos.sound_speed_squared(rho[i], pressure);
+      p[i] = pressure;
+      sound[i] = c_long(rho[i], c2);
+      bad += good(rho[i], own[i], c2) ? 0 : 1;
+    }
+    if (bad == 0) return 0;
+    for (int i = 0; i < count; ++i) {
+      double* value = &w.value[0][i + from];
+      if (good(value[0], own[i], eos.sound_speed_squared(value[0], p[i]))) continue;
+      for (std::size_t c = 0; c < P; ++c)
+        value[c * longest_row] = in.primitive[c * in.cells + static_cast<std::size_t>(in.first + i + shift)];
+      w.stress[i + from] = in.stress[in.first + i + shift];
+      sound[i] = c_long(value[0], eos.sound_speed_squared(value[0], p[i]));
+    }
+    return bad;
+  };
+  const int fallen =
+      complete(left, left_from, -in.step, sound_left) + complete(right, right_from, 0, sound_right);
+
+  const auto of_left = [&](std::size_t c) { return left.value[c] + left_from; };
+  const auto of_right = [&](std::size_t c) { return right.value[c] + right_from; };
+  const auto flux = [&](std::size_t c) { return out.flux + c * out.faces + out.first; };
+  const auto velocity = [&](std::size_t d) { return out.velocity + d * out.faces + out.first; };
+
+  // The waves along the axis. `inverse`: 1/m of the side that the face looks at, 0 where the whole fan goes one way.
+  alignas(64) double inverse[longest_row];
+  {
+    const double *rho_left = of_left(C::rho), *rho_right = of_right(C::rho), *u_left = of_left(un),
+                 *u_right = of_right(un), *s_left = left.stress + left_from,
+                 *s_right = right.stress + right_from, *p_left = of_left(C::p), *p_right = of_right(C::p);
+    const double *extra_left = nullptr, *extra_right = nullptr;
+    if constexpr (EosModel::barotropic) {
+      extra_left = of_left(C::extra);
+      extra_right = of_right(C::extra);
+    }
+    double *mass_flux = flux(C::rho), *normal = flux(un), *power = flux(C::energy), *speed = velocity(Axis);
+#pragma omp simd
+    for (int i = 0; i < count; ++i) {
+      const double rl = rho_left[i], rr = rho_right[i], ul = u_left[i], ur = u_right[i], sl = s_left[i],
+                   sr = s_right[i], cl = sound_left[i], cr = sound_right[i];
+      const double low = ul - cl < ur - cr ? ul - cl : ur - cr, high = ul + cl > ur + cr ? ul + cl : ur + cr;
+      const double ml = rl * (low - ul), mr = rr * (high - ur);
+      const double star = (sl - sr + ml * ul - mr * ur) / (ml - mr), stress_star = sl - ml * (star - ul);
+      const bool from_left = star >= 0;
+      const double wave = from_left ? low : high, m = from_left ? ml : mr;
+      const bool beyond = (from_left & (low >= 0)) | (!from_left & (high <= 0));
+      const double rho = from_left ? rl : rr, u = from_left ? ul : ur, s = from_left ? sl : sr;
+      double energy = eos.energy(rho, from_left ? p_left[i] : p_right[i]) + 0.5 * u * u;
+      if constexpr (EosModel::barotropic) energy += from_left ? extra_left[i] : extra_right[i];
+      const double mass = beyond ? rho * u : m / (wave - star) * star;
+      const double out_u = beyond ? u : star, out_s = beyond ? s : stress_star;
+      const double per_m = beyond ? 0.0 : 1 / m;
+      inverse[i] = per_m;
+      mass_flux[i] = mass;
+      normal[i] = mass * out_u - out_s;
+      power[i] = mass * (energy - (stress_star * star - s * u) * per_m) - out_s * out_u;
+      speed[i] = out_u;
+    }
+  }
+  const double *mass = flux(C::rho), *normal_speed = velocity(Axis);  // its sign tells the side
+  for (int t = 0; t < Dim; ++t) {
+    if (t == Axis) continue;
+    const auto ut = static_cast<std::size_t>(C::u + t);
+    const double *v_left = of_left(ut), *v_right = of_right(ut);
+    double *momentum = flux(ut), *power = flux(C::energy), *speed = velocity(static_cast<std::size_t>(t));
+    if constexpr (Shear) {
+      const auto at = static_cast<std::size_t>(C::s + C::stress(Axis, t));
+      const double *tau_left = of_left(at), *tau_right = of_right(at), *rho_left = of_left(C::rho),
+                   *rho_right = of_right(C::rho);
+#pragma omp simd
+      for (int i = 0; i < count; ++i) {
+        const bool from_left = normal_speed[i] >= 0, beyond = inverse[i] == 0;
+        const double vl = v_left[i], vr = v_right[i], v = from_left ? vl : vr;
+        const double tl = tau_left[i], tr = tau_right[i], tau = from_left ? tl : tr;
+        const double zl = std::sqrt(rho_left[i] * shear_modulus), zr = std::sqrt(rho_right[i] * shear_modulus);
+        const double v_star = (zl * vl + zr * vr + tr - tl) / (zl + zr), tau_star = tl + zl * (v_star - vl);
+        const double v_out = beyond ? v : v_star, tau_out = beyond ? tau : tau_star;
+        const double work = (tau_out * v_out - tau * v) / (from_left ? -zl : zr);
+        momentum[i] = mass[i] * v_out - tau_out;
+        power[i] += mass[i] * (0.5 * v * v - work) - tau_out * v_out;
+        speed[i] = v_out;
+      }
+    } else {
+#pragma omp simd
+      for (int i = 0; i < count; ++i) {
+        const double v = normal_speed[i] >= 0 ? v_left[i] : v_right[i];
+        momentum[i] = mass[i] * v;
+        power[i] += mass[i] * (0.5 * v * v);
+        speed[i] = v;
+      }
+    }
+  }
+  for (std::size_t c = C::s; c < C::contents; ++c) {
+    const double *l = of_left(c), *r = of_right(c);
+    double* f = flux(c);
+#pragma omp simd
+    for (int i = 0; i < count; ++i) f[i] = mass[i] * (normal_speed[i] >= 0 ? l[i] : r[i]);
   }
   return fallen;
+}
+
+/// reconstruct() and solve_faces() for a row of faces that stands alone. @returns how many values fell back.
+template <int Dim, int Axis, bool Shear, class EosModel>
+int face_fluxes(const EosModel& eos, double shear_modulus, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+  FaceValues<Dim> left, right, beyond;
+  Row<Dim> cells = in;
+  cells.first = in.first - in.step;
+  reconstruct<Dim, Axis, Shear>(eos, shear_modulus, cells, 0, beyond, left);
+  cells.first = in.first;
+  reconstruct<Dim, Axis, Shear>(eos, shear_modulus, cells, 0, right, beyond);
+  return solve_faces<Dim, Axis, Shear>(eos, shear_modulus, in, left, 0, right, 0, out);
 }
 
 }  // namespace recoil

@@ -45,7 +45,7 @@ Flux<Dim> across(const EosModel& eos, const std::vector<Primitives<Dim>>& cell) 
   }
   Flux<Dim> out;
   out.fallen = face_fluxes<Dim, Axis, Shear>(
-      eos, g, FaceRow<Dim>{primitive.data(), stress.data(), impedance.data(), 6, 3, 1, 1},
+      eos, g, Row<Dim>{primitive.data(), stress.data(), impedance.data(), 6, 3, 1, 1},
       FaceFlux<Dim>{flux.data(), velocity.data(), 1, 0});
   std::copy(flux.begin(), flux.end(), out.flux.begin());
   for (int d = 0; d < Dim; ++d) out.velocity[d] = velocity[static_cast<std::size_t>(d)];
@@ -263,7 +263,7 @@ TEST(FaceFluxesRow, FacesOfARowAreIndependent) {
   constexpr int faces = cells - 5;
   std::vector<double> flux(faces * C::contents), velocity(faces * 2);
   face_fluxes<2, 0, true>(copper, shear_modulus,
-                          FaceRow<2>{primitive.data(), stress.data(), impedance.data(), cells, 3, 1, faces},
+                          Row<2>{primitive.data(), stress.data(), impedance.data(), cells, 3, 1, faces},
                           FaceFlux<2>{flux.data(), velocity.data(), faces, 0});
   for (std::size_t f = 0; f < faces; ++f) {
     const std::vector<Primitives<2>> six(cell.begin() + static_cast<std::ptrdiff_t>(f),
