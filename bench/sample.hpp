@@ -74,7 +74,7 @@ Memory memory_of(const State<Dim>& state) {
   for (const Body<Dim>& body : state.bodies)
     for (const BodyBlock<Dim>& b : body.blocks) {
       for (const auto* a : {&b.contents, &b.contents_old, &b.volume, &b.volume_old, &b.phi, &b.phi_next,
-                            &b.carrier, &b.average, &b.stencil})
+                            &b.carrier, &b.average})
         m.arrays += bytes_of(*a);
       m.arrays += bytes_of(b.role) + bytes_of(b.contact);
       for (const Geometry<Dim>* g : {&b.geometry, &b.settled}) {

@@ -46,12 +46,12 @@ double cells_of_domain(const config::Case& c) {
   return n;
 }
 
-/// Bytes of one body in one cell of its blocks: contents and volume twice, averages, stencils, distances,
+/// Bytes of one body in one cell of its blocks: contents and volume twice, averages, distances,
 /// carrier, marks.
 template <int Dim>
 double bytes_of_cell() {
   using C = Components<Dim>;
-  return 8.0 * (2 * C::contents + 2 + 2 * C::primitives + 2 + Dim) + 5;
+  return 8.0 * (2 * C::contents + 2 + C::primitives + 2 + Dim) + 5;
 }
 
 template <int Dim>

@@ -44,7 +44,6 @@ void enter_block(Body<Dim>& body, int slot, const Grid<Dim>& grid) {
   b.volume_old.assign(n, 0);
   b.carrier.assign(n * Dim, 0);
   b.average.assign(n * C::primitives, 0);
-  b.stencil.assign(n * C::primitives, 0);
   b.role.assign(n, 0);
   b.contact.assign(n, 0);
 }

@@ -30,8 +30,8 @@ struct BodyBlock {
   std::vector<double> volume, volume_old;      // V
   std::vector<double> phi, phi_next;  // signed distance [m], negative inside; phi_next also holds mid-step
   std::vector<double> carrier;        // velocity that carries phi [Dim]
-  std::vector<double> average;        // primitives of the averages of donors
-  std::vector<double> stencil;        // primitives for reconstructions; empty away from surfaces
+  std::vector<double> average;        // primitives of the averages of donors; while fluxes are taken: what
+                                      // reconstructions read (fill_stencil_values)
   std::vector<std::uint8_t> role;
   std::vector<std::uint32_t> contact;  // bit of every body that the piece touched in the last step
   Geometry<Dim> geometry;              // mid-step, with shared surfaces: what the stages use

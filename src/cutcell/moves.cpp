@@ -115,24 +115,42 @@ struct Transfer {
   bool everything = false;  // the cell is left with nothing
 };
 
+/// The cells that may send something: own ones and those around them. `may(i)` is cheap.
+template <int Dim, class May>
+int* list_senders(const Pieces<Dim>& p, int& count, Scratch& scratch, May&& may) {
+  const Box<Dim> box = p.window.inner().grown(1);
+  int* cells = scratch.take<int>(static_cast<std::size_t>(box.size()));
+  count = 0;
+  for_each(box, [&](const Index<Dim>& i) {
+    if (may(i)) cells[count++] = p.window.at(i);
+  });
+  return cells;
+}
+
 /// Applies transfers between cells at most one apart: every own cell loses what it sends and gains what its
-/// neighbours send it, in a fixed order. `decide(i)` must depend on the old state only.
+/// neighbours send it, in the order of their cells. `decide(i)` must depend on the old state only; only cells
+/// of the list are asked.
 template <int Dim, class Decide>
-void transfer(const Pieces<Dim>& p, BodyBlock<Dim>& b, bool diagonal, Decide&& decide) {
-  const Box<Dim> inner = p.window.inner();
-  for_each(inner, [&](const Index<Dim>& i) {
-    Update<Dim> u;
-    bool changed = false;
-    const auto begin = [&] {
-      if (changed) return;
-      changed = true;
-      u.cell = p.window.cell(i);
-      u.volume = p.volume[p.window.at(i)];
-      u.contents = p.contents(i);
-    };
-    const Transfer<Dim> own = decide(i);
-    if (own.any) {
-      begin();
+void transfer(const Pieces<Dim>& p, BodyBlock<Dim>& b, const int* senders, int count, Scratch& scratch,
+              Decide&& decide) {
+  const auto n = static_cast<std::size_t>(p.window.size());
+  int* sent = scratch.take_filled<int>(n, -1);
+  auto* touched = scratch.take_filled<std::uint8_t>(n, 0);
+  auto* transfers = scratch.take<Transfer<Dim>>(static_cast<std::size_t>(count));
+  for (int s = 0; s < count; ++s) {
+    const int k = senders[s];
+    transfers[s] = decide(p.window.box().index(k));
+    if (!transfers[s].any) continue;
+    sent[k] = s;
+    touched[k] = 1;
+    touched[p.window.at(transfers[s].to)] = 1;
+  }
+  for_each(p.window.inner(), [&](const Index<Dim>& i) {
+    const int k = p.window.at(i);
+    if (!touched[k]) return;
+    Update<Dim> u{p.window.cell(i), p.volume[k], p.contents(i)};
+    if (sent[k] >= 0) {
+      const Transfer<Dim>& own = transfers[sent[k]];
       u.volume -= own.volume;
       if (own.everything) {
         u.volume = 0;
@@ -144,16 +162,12 @@ void transfer(const Pieces<Dim>& p, BodyBlock<Dim>& b, bool diagonal, Decide&& d
     Box<Dim> box{i, i};
     for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
     for_each(box, [&](const Index<Dim>& j) {
-      int apart = 0;
-      for (int d = 0; d < Dim; ++d) apart += j[d] != i[d];
-      if (apart == 0 || (apart > 1 && !diagonal)) return;
-      const Transfer<Dim> t = decide(j);
-      if (!t.any || !(t.to == i)) return;
-      begin();
-      u.volume += t.volume;
-      add_scaled<Dim>(u.contents, p.contents(t.carrier), t.factor);
+      const int from = sent[p.window.at(j)];
+      if (from < 0 || j == i || !(transfers[from].to == i)) return;
+      u.volume += transfers[from].volume;
+      add_scaled<Dim>(u.contents, p.contents(transfers[from].carrier), transfers[from].factor);
     });
-    if (changed) b.updates.push_back(u);
+    b.updates.push_back(u);
   });
 }
 
@@ -232,13 +246,12 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& 
     const int k = p.window.at(i);
     return p.kind[k] == CellKind::empty && p.volume[k] != 0;
   };
-  bool any = false;
-  for_each(p.window.inner().grown(1), [&](const Index<Dim>& i) { any = any || gives(i); });
-  if (!any) return;
+  int count = 0;
+  const int* senders = list_senders(p, count, scratch, gives);
+  if (count == 0) return;
   p.gather_phi();
-  transfer<Dim>(p, b, false, [&](const Index<Dim>& i) {
+  transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
-    if (!gives(i)) return t;
     t.to = p.neighbour(i, -1);
     t.any = !(t.to == i);
     t.volume = p.volume[p.window.at(i)];
@@ -260,14 +273,13 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& sc
     const double e = p.volume[k] - p.full(i);
     return p.kind[k] == CellKind::full && std::abs(e) > 1e-13 * p.full(i) ? e : 0.0;
   };
-  bool any = false;
-  for_each(p.window.inner().grown(1), [&](const Index<Dim>& i) { any = any || excess(i) != 0; });
-  if (!any) return;
+  int count = 0;
+  const int* senders = list_senders(p, count, scratch, [&](const Index<Dim>& i) { return excess(i) != 0; });
+  if (count == 0) return;
   p.gather_phi();
-  transfer<Dim>(p, b, false, [&](const Index<Dim>& i) {
+  transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
     const double e = excess(i);
-    if (e == 0) return t;
     t.to = p.neighbour(i, 1);
     if (t.to == i) return t;
     const double there = p.volume[p.window.at(t.to)];
@@ -291,9 +303,9 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
     const int k = p.window.at(i);
     return p.kind[k] == CellKind::cut && (p.volume[k] < 0 || p.volume[k] > p.full(i));
   };
-  bool any = false;
-  for_each(p.window.inner().grown(1), [&](const Index<Dim>& i) { any = any || beyond(i); });
-  if (!any) return;
+  int count = 0;
+  const int* senders = list_senders(p, count, scratch, beyond);
+  if (count == 0) return;
   const auto fullest = [&](const Index<Dim>& i, Transfer<Dim>& t) {
     const double have = std::abs(p.volume[p.window.at(i)]);
     Box<Dim> box{i, i};
@@ -328,7 +340,6 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   };
   const auto decide = [&](const Index<Dim>& i) {
     Transfer<Dim> t;
-    if (!beyond(i)) return t;
     const double v = p.volume[p.window.at(i)], whole = p.full(i), limit = p.thin(i) ? 0.0 : -0.1;
     t.carrier = i;
     if (v < limit * whole) {
@@ -343,11 +354,13 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
     }
     return t;
   };
-  for_each(p.window.inner(), [&](const Index<Dim>& i) {
+  for (int s = 0; s < count; ++s) {
+    const Index<Dim> i = p.window.box().index(senders[s]);
+    if (!p.window.inner().contains(i)) continue;
     const Transfer<Dim> t = decide(i);
     if (t.volume != 0) ++(t.any ? counters.volume_bounds : counters.volume_bounds_left);
-  });
-  transfer<Dim>(p, b, true, decide);
+  }
+  transfer<Dim>(p, b, senders, count, scratch, decide);
 }
 
 template <int Dim>

@@ -36,9 +36,10 @@ void for_each_array(BodyBlock<Dim>& b, bool rigid, unsigned parts, F&& f) {
     f(b.contents);
     f(b.volume);
   }
-  if (parts & part_average) f(b.average);
-  if (parts & part_stencil) f(b.stencil);
-  if (parts & (part_average | part_stencil)) f(b.role);
+  if (parts & part_average) {
+    f(b.average);
+    f(b.role);
+  }
   if (parts & part_contact) f(b.contact);
 }
 

@@ -10,10 +10,9 @@ enum Part : unsigned {
   part_phi_next = 2,
   part_matter = 4,     // contents and volume
   part_average = 8,    // and role
-  part_stencil = 16,   // and role
-  part_geometry = 32,  // mid-step, with walls
-  part_settled = 64,
-  part_contact = 128
+  part_geometry = 16,  // mid-step, with walls
+  part_settled = 32,
+  part_contact = 64
 };
 
 /// Shares parts (a sum of Part) of all bodies with the other processes, and which blocks they are in.

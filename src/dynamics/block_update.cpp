@@ -27,12 +27,6 @@ struct Work {
   double* radial = nullptr;      // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
 };
 
-template <int Dim>
-const double* values_of(const Body<Dim>& body, int slot) {
-  const BodyBlock<Dim>& b = body.at(slot);
-  return !b.present ? nullptr : b.near_surface ? b.stencil.data() : b.average.data();
-}
-
 template <int Dim, class EosModel>
 void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double shear_modulus, Work<Dim>& w,
                    Scratch& scratch) {
@@ -44,12 +38,8 @@ void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double 
     unsigned odd = 0;
     for (int d = 0; d < Dim; ++d)
       if (component_sign<Dim>(static_cast<int>(c), 1U << d) < 0) odd |= 1U << d;
-    w.window.gather(
-        [&](int s) {
-          const double* v = values_of(body, s);
-          return v ? v + c * cells : nullptr;
-        },
-        c == C::rho ? eos.rho0 : 0.0, Beyond::extend, w.primitive + c * w.wide, odd);
+    w.window.gather([&](int s) { return body.present(s) ? body.at(s).average.data() + c * cells : nullptr; },
+                    c == C::rho ? eos.rho0 : 0.0, Beyond::extend, w.primitive + c * w.wide, odd);
   }
   if (body.at(slot).near_surface) {
     w.role = scratch.take<std::uint8_t>(w.wide);
@@ -165,7 +155,8 @@ void solve_along_rows(const EosModel& eos, double g, const Work<Dim>& w, const F
   });
 }
 
-/// Faces across another axis: row by row along it; what a row of cells has at its high faces waits for the next.
+/// Faces across another axis: row by row along it; what a row of cells has at its high faces waits for the
+/// next.
 template <int Dim, int Axis, bool Shear, class EosModel>
 void solve_across_rows(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
                        Counters& counters) {
@@ -183,12 +174,13 @@ void solve_across_rows(const EosModel& eos, double g, const Work<Dim>& w, const 
       Span open;
       for (int layer = -1; layer < layers; ++layer) {  // of cells; its high faces are faces layer + 1
         const std::ptrdiff_t first = at_cell + layer * step;
-        const Span ahead = layer + 1 < layers ? open_span(out.area + at_face + (layer + 1) * next, count) : Span{};
+        const Span ahead =
+            layer + 1 < layers ? open_span(out.area + at_face + (layer + 1) * next, count) : Span{};
         const Span all = both(open, ahead);
         if (!all.empty())
           reconstruct<Dim, Axis, Shear>(
-              eos, g, {w.primitive, w.stress, w.impedance, w.wide, first + all.lo, step, all.hi - all.lo}, all.lo,
-              low, *high);
+              eos, g, {w.primitive, w.stress, w.impedance, w.wide, first + all.lo, step, all.hi - all.lo},
+              all.lo, low, *high);
         if (!open.empty())
           counters.first_order_faces += solve_faces<Dim, Axis, Shear>(
               eos, g, {w.primitive, w.stress, w.impedance, w.wide, first + open.lo, step, open.hi - open.lo},
@@ -202,7 +194,8 @@ void solve_across_rows(const EosModel& eos, double g, const Work<Dim>& w, const 
 
 /// Nothing passes closed faces; those whose stencil lacks values are done on their own.
 template <int Dim, int Axis, bool Shear, class EosModel>
-void mend_faces(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out, Counters& counters) {
+void mend_faces(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+                Counters& counters) {
   using C = Components<Dim>;
   const std::ptrdiff_t step = w.window.stride(Axis);
   Box<Dim> rows = out.box;

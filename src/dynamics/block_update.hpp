@@ -9,7 +9,7 @@ namespace recoil {
 /// areas, the velocity gradient integrated over each piece (no division by V), the sources of the stress
 /// deviator (2 G dev D and the Jaumann terms) and of axisymmetry, and what the walls do (BodyBlock::walls).
 ///   Q += dt R, V += dt R_V.
-/// Reads BodyBlock::stencil (::average in blocks away from surfaces) up to three cells beyond the block.
+/// Reads BodyBlock::average up to three cells beyond the block.
 /// @param share part of a whole step that this substage stands for; what leaves through the edges of the
 /// domain
 ///   is booked with it.

@@ -11,8 +11,9 @@ namespace recoil {
 /// The longest row of cells or faces that one call takes.
 inline constexpr int longest_row = 96;
 
-/// Where a row of cells, or of faces, reads. Arrays hold every component of every cell of a window. Cell i of a
-/// row of cells is `first + i`; face i of a row of faces lies between cells `first + i - step` and `first + i`.
+/// Where a row of cells, or of faces, reads. Arrays hold every component of every cell of a window. Cell i of
+/// a row of cells is `first + i`; face i of a row of faces lies between cells `first + i - step` and `first +
+/// i`.
 template <int Dim>
 struct Row {
   const double* primitive = nullptr;   // [Components::primitives][cells]
@@ -61,18 +62,18 @@ inline void reconstruct_plain(const double* q, std::ptrdiff_t step, int count, d
   }
 }
 
-/// WENO5-Z of the characteristic-like stress + Z u and stress - Z u with the cell's own Z; then back to stress
-/// and u. `impedance(i)`: of cell i.
+/// WENO5-Z of the characteristic-like stress + Z u and stress - Z u with the cell's own Z; then back to
+/// stress and u. `impedance(i)`: of cell i.
 template <class Impedance>
 void reconstruct_waves(const double* stress, const double* u, const Impedance& impedance, std::ptrdiff_t step,
                        int count, double* stress_low, double* stress_high, double* u_low, double* u_high) {
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
     const double z = impedance(i), half = 0.5 / z;
-    const Ends plus = ends_of([&](std::ptrdiff_t k) { return mul_add(z, u[i + k], stress[i + k]); }, step,
-                              stress_scale);
-    const Ends minus = ends_of([&](std::ptrdiff_t k) { return mul_add(-z, u[i + k], stress[i + k]); }, step,
-                               stress_scale);
+    const Ends plus =
+        ends_of([&](std::ptrdiff_t k) { return mul_add(z, u[i + k], stress[i + k]); }, step, stress_scale);
+    const Ends minus =
+        ends_of([&](std::ptrdiff_t k) { return mul_add(-z, u[i + k], stress[i + k]); }, step, stress_scale);
     stress_low[i] = 0.5 * (plus.low + minus.low);
     stress_high[i] = 0.5 * (plus.high + minus.high);
     u_low[i] = (plus.low - minus.low) * half;
@@ -131,7 +132,8 @@ void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, 
     const bool from_trace = Dim == 3 && Axis == 2 && c < C::s + 2;
     if (!(Shear && sheared) && !from_trace) plain(c, detail::stress_scale);
   }
-  // Across axis 2 in 3-d S_zz and S_xx - S_yy are reconstructed, so that a wave along z is one along x turned.
+  // Across axis 2 in 3-d S_zz and S_xx - S_yy are reconstructed, so that a wave along z is one along x
+  // turned.
   if constexpr (Dim == 3 && Axis == 2) {
     const double *xx = of(C::s), *yy = of(C::s + 1);
     const std::ptrdiff_t step = in.step;
@@ -205,7 +207,8 @@ int solve_faces(const EosModel& eos, double shear_modulus, const Row<Dim>& in, F
   const auto flux = [&](std::size_t c) { return out.flux + c * out.faces + out.first; };
   const auto velocity = [&](std::size_t d) { return out.velocity + d * out.faces + out.first; };
 
-  // The waves along the axis. `inverse`: 1/m of the side that the face looks at, 0 where the whole fan goes one way.
+  // The waves along the axis. `inverse`: 1/m of the side that the face looks at, 0 where the whole fan goes
+  // one way.
   alignas(64) double inverse[longest_row];
   {
     const double *rho_left = of_left(C::rho), *rho_right = of_right(C::rho), *u_left = of_left(un),
@@ -255,7 +258,8 @@ int solve_faces(const EosModel& eos, double shear_modulus, const Row<Dim>& in, F
         const bool from_left = normal_speed[i] >= 0, beyond = inverse[i] == 0;
         const double vl = v_left[i], vr = v_right[i], v = from_left ? vl : vr;
         const double tl = tau_left[i], tr = tau_right[i], tau = from_left ? tl : tr;
-        const double zl = std::sqrt(rho_left[i] * shear_modulus), zr = std::sqrt(rho_right[i] * shear_modulus);
+        const double zl = std::sqrt(rho_left[i] * shear_modulus),
+                     zr = std::sqrt(rho_right[i] * shear_modulus);
         const double v_star = (zl * vl + zr * vr + tr - tl) / (zl + zr), tau_star = tl + zl * (v_star - vl);
         const double v_out = beyond ? v : v_star, tau_out = beyond ? tau : tau_star;
         const double work = (tau_out * v_out - tau * v) / (from_left ? -zl : zr);

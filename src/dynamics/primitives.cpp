@@ -50,6 +50,18 @@ void row_primitives(const EosModel& eos, std::size_t first, std::size_t count, s
 }
 
 template <int Dim, class EosModel>
+bool beyond_equations(const EosModel& eos, const Contents<Dim>& q, double volume) {
+  using C = Components<Dim>;
+  const double rho = q[C::rho] / volume;
+  if (!(rho > least_density * eos.rho0 && rho < largest_density * eos.rho0)) return true;
+  double momentum2 = 0;
+  for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
+  const double p = eos.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
+  const double c0 = bulk_sound_speed(eos);
+  return !(eos.sound_speed_squared(rho, p) >= admissible_sound * c0 * c0);
+}
+
+template <int Dim, class EosModel>
 void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
                    Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
@@ -146,16 +158,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
 
 template <int Dim>
 bool inadmissible(const Material& material, const Contents<Dim>& q, double volume) {
-  using C = Components<Dim>;
-  return std::visit(
-      [&](const auto& eos) {
-        const double rho = q[C::rho] / volume;
-        if (!(rho > least_density * eos.rho0 && rho < largest_density * eos.rho0)) return true;
-        const Primitives<Dim> w = to_primitives<Dim>(eos, q, volume);
-        const double c0 = bulk_sound_speed(eos);
-        return !(eos.sound_speed_squared(rho, w[C::p]) >= admissible_sound * c0 * c0);
-      },
-      material.eos);
+  return std::visit([&](const auto& eos) { return beyond_equations<Dim>(eos, q, volume); }, material.eos);
 }
 
 template <int Dim>
@@ -163,14 +166,21 @@ std::int64_t mark_bad_states(const State<Dim>& state, Body<Dim>& body, int slot)
   BodyBlock<Dim>& b = body.at(slot);
   std::int64_t count = 0;
   const Index<Dim> lo = state.mesh.block(slot).cells.lo;
-  for_each(b.matter, [&](const Index<Dim>& i) {
-    const auto k = static_cast<std::size_t>(state.grid().layout().at(i - lo));
-    b.role[k] &= static_cast<std::uint8_t>(~bad_state);
-    if (b.volume[k] <= least_judged * state.grid().full_volume(i)) return;
-    if (!inadmissible<Dim>(body.material, contents_of(b, static_cast<int>(k)), b.volume[k])) return;
-    b.role[k] |= bad_state;
-    ++count;
-  });
+  const std::size_t n = b.volume.size();
+  std::visit(
+      [&](const auto& eos) {
+        for_each(b.matter, [&](const Index<Dim>& i) {
+          const auto k = static_cast<std::size_t>(state.grid().layout().at(i - lo));
+          b.role[k] &= static_cast<std::uint8_t>(~bad_state);
+          if (b.volume[k] <= least_judged * state.grid().full_volume(i)) return;
+          Contents<Dim> q;  // what is judged: mass, momentum, energy
+          for (std::size_t c = 0; c <= Components<Dim>::energy; ++c) q[c] = b.contents[c * n + k];
+          if (!beyond_equations<Dim>(eos, q, b.volume[k])) return;
+          b.role[k] |= bad_state;
+          ++count;
+        });
+      },
+      body.material.eos);
   return count;
 }
 

@@ -10,10 +10,10 @@ struct Ends {
 };
 
 /// WENO5-Z (Borges et al. 2008) from the means of five cells, a to e along the axis: the values of the middle
-/// one at its low and its high face, which share their measures of smoothness. Written as c plus a correction,
-/// so that a constant stays constant to the last bit; mirrored data give the mirrored result to the last bit.
-/// The ratios of smoothness are multiplied out, so that there is one division a face. `least` sets the scale
-/// below which data count as smooth.
+/// one at its low and its high face, which share their measures of smoothness. Written as c plus a
+/// correction, so that a constant stays constant to the last bit; mirrored data give the mirrored result to
+/// the last bit. The ratios of smoothness are multiplied out, so that there is one division a face. `least`
+/// sets the scale below which data count as smooth.
 [[gnu::always_inline]] inline Ends weno5z(double a, double b, double c, double d, double e, double least) {
   const double A = a - c, B = b - c, D = d - c, E = e - c;
   const double a2 = mul_add(-2, B, A), b2 = B + D, c2 = mul_add(-2, D, E);

@@ -70,7 +70,7 @@ void attach_wall(const State<Dim>& state, const Body<Dim>& body, const Window<Di
 
 template <int Dim>
 void store(BodyBlock<Dim>& b, std::size_t n, int cell, const Primitives<Dim>& w) {
-  for (std::size_t c = 0; c < w.size(); ++c) b.stencil[c * n + static_cast<std::size_t>(cell)] = w[c];
+  for (std::size_t c = 0; c < w.size(); ++c) b.average[c * n + static_cast<std::size_t>(cell)] = w[c];
 }
 
 template <int Dim>
@@ -260,7 +260,6 @@ void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Cou
   const Box<Dim> layout = grid.layout();
   const Index<Dim> lo = state.mesh.block(slot).cells.lo;
   const auto n = static_cast<std::size_t>(layout.size());
-  b.stencil = b.average;
   for (std::size_t m = 0; m < b.walls.size(); ++m) {
     const CutCell<Dim>& cut = b.geometry.cuts[m];
     const auto k = static_cast<std::size_t>(cut.cell);

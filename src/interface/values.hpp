@@ -11,10 +11,10 @@ namespace recoil {
 template <int Dim>
 void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
 
-/// The values that reconstructions read in this stage (BodyBlock::stencil, Role::valued):
-/// regular uncut cells their average; regular cut cells their average moved from the centroid to the cell's
-/// centre with a limited slope along the normal; ghost cells the state of their wall, continued along the
-/// normal.
+/// Turns averages into the values that reconstructions read in this stage (BodyBlock::average, Role::valued),
+/// in place: regular uncut cells keep their average; regular cut cells their average moved from the centroid
+/// to the cell's centre with a limited slope along the normal; ghost cells the state of their wall, continued
+/// along the normal.
 template <int Dim>
 void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 

@@ -34,7 +34,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
     step.find_walls(dt, stage.share);  // contact: touch, slide, separate
     step.share(part_geometry);
     step.fill_values();  // ghosts speak for the walls
-    step.share(part_stencil);
+    step.share(part_average);
     step.update_matter(dt, stage.share);  // Q += dt R, V += dt R_V
     step.share(part_matter);
     step.redistribute_small_pieces();

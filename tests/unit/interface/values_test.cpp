@@ -40,7 +40,7 @@ struct Values : testing::Test {
   bool inside(const Index<dim>& i) const { return grid.domain().grown(-4).contains(i); }
   static Primitives<dim> stencil_of(const BodyBlock<dim>& b, std::size_t k) {
     Primitives<dim> w{};
-    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.stencil[c * b.volume.size() + k];
+    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.average[c * b.volume.size() + k];
     return w;
   }
 };
@@ -151,7 +151,7 @@ TYPED_TEST(Values, AveragesOfCutCellsMoveToTheirCentres) {
   for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
     if (!this->inside(i) || b.geometry.index[k] < 0 || (b.role[k] & regular) == 0) return;
     const double average = b.average[C::p * b.volume.size() + k],
-                 value = b.stencil[C::p * b.volume.size() + k];
+                 value = b.average[C::p * b.volume.size() + k];
     moved += std::abs(value - average) > 0.01 * slope;
     ASSERT_NEAR(value, pressure(this->grid.centre(i)), 0.12 * slope);
   });
