@@ -116,12 +116,22 @@ class Writer {
     section("method");
     line("scheme", quoted(c_.method.scheme));
     section("contact");
-    line("default", quoted("separable"));
+    choice("default", c_.contact.usual);
+    for (const config::Contact::Pair& p : c_.contact.pairs) {
+      section("contact.pairs." + p.bodies[0] + '-' + p.bodies[1]);
+      choice("mode", p.choice);
+    }
     section("output.fields");
     line("every", quantity(c_.output.fields_every, "s"));
     line("variables", list(c_.output.variables));
     section("output.history");
     line("every", quantity(c_.output.history_every, "s"));
+  }
+
+  void choice(const char* key, const config::ContactChoice& c) {
+    using enum config::ContactChoice::Mode;
+    line(key, quoted(c.mode == bonded ? "bonded" : c.mode == friction ? "friction" : "separable"));
+    if (c.mode == friction) line("friction", format_number(c.friction));
   }
 
   std::string box(const Shape& s) const {
@@ -191,10 +201,22 @@ class Writer {
       line("material", quoted(body.material));
     line("shape", shape(body.shape));
     line("velocity", vector(body.velocity, "m/s"));
+    if (body.mass > 0) free_motion(body);
     if (body.spin == Vector{}) return;
     line("spin", c_.domain.geometry == config::Geometry::space ? vector(body.spin, "rad/s")
                                                                : quantity(body.spin[2], "rad/s"));
-    line("spin-centre", vector(body.spin_centre, "m"));
+    if (!(body.mass > 0)) line("spin-centre", vector(body.spin_centre, "m"));
+  }
+
+  void free_motion(const Body& body) {
+    const bool planar = c_.domain.geometry == config::Geometry::planar,
+               space = c_.domain.geometry == config::Geometry::space;
+    line("mass", quantity(body.mass, planar                                         ? "kg/m"
+                                     : c_.domain.geometry == config::Geometry::line ? "kg/m2"
+                                                                                    : "kg"));
+    line("centre-of-mass", vector(body.centre_of_mass, "m"));
+    if (body.inertia == Vector{}) return;
+    line("inertia", space ? vector(body.inertia, "kg m2") : quantity(body.inertia[2], "kg m"));
   }
 
   void add(const Gauge& g) {

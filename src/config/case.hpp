@@ -62,6 +62,9 @@ struct Body {
   std::string name;
   std::string material;  // a library name or a [material.NAME] of this case; empty: rigid
   bool rigid = false;
+  double mass = 0;          // of a free rigid body [kg; kg/m planar; kg/m2 1d]; 0: keeps its velocity
+  Vector inertia{};         // kg m2 (planar: kg m, [2] only), about the centre of mass, along the axes
+  Vector centre_of_mass{};  // m
   Shape shape;
   Vector velocity{};     // m/s
   Vector spin{};         // rad/s about spin_centre; planar: [2] only
@@ -86,6 +89,24 @@ struct Output {
   double fields_every = 0;             // s; 0: none but first and last
   std::vector<std::string> variables;  // names of fields to write
   double history_every = 0;            // s; 0: every step
+};
+
+/// What holds where two bodies meet.
+struct ContactChoice {
+  enum class Mode { separable, bonded, friction };
+  Mode mode = Mode::separable;
+  double friction = 0;  // Coulomb's coefficient
+};
+
+struct Contact {
+  struct Pair {
+    std::array<std::string, 2> bodies;
+    ContactChoice choice;
+  };
+  ContactChoice usual;
+  std::vector<Pair> pairs;  // that differ
+
+  ContactChoice between(const std::string& a, const std::string& b) const;
 };
 
 struct Method {
@@ -119,6 +140,7 @@ struct Case {
   std::vector<Gauge> gauges;
   Output output;
   Method method;
+  Contact contact;
   std::vector<Expectation> expect;
 };
 

@@ -160,8 +160,22 @@ Section body() {
        {.name = "rigid",
         .type = Type::flag,
         .default_text = "false",
-        .doc = "a rigid body that keeps its velocity: it has no material",
+        .doc = "a rigid body: it has no material, and keeps its velocity unless it has a mass",
         .example = "true"},
+       {.name = "mass",
+        .type = Type::quantity,
+        .unit = "kg",
+        .positive = true,
+        .doc = "of a rigid body that its contacts push (planar: per depth, kg/m; 1d: per area, kg/m2)",
+        .example = R"("0.2 kg")"},
+       {.name = "inertia",
+        .type = Type::any,
+        .unit = "kg m2",
+        .doc = "moment of inertia of a free rigid body about its centre of mass: planar a quantity per depth "
+               "(kg m); "
+               "3d { x = ..., y = ..., z = ... }, principal moments; without it the body does not turn",
+        .example = R"({ x = "2 kg m2", y = "2 kg m2", z = "1 kg m2" })"},
+       position("centre-of-mass", "of a free rigid body that can turn"),
        {.name = "shape",
         .type = Type::table,
         .required = true,
@@ -306,38 +320,58 @@ Section gauge() {
            every("time between two records; 0: every step")}};
 }
 
+Key contact_mode(const std::string& name, const std::string& where) {
+  return {.name = name,
+          .type = Type::choice,
+          .default_text = "separable",
+          .doc = where +
+                 ". separable: frictionless, pressed together or apart, never pulled; bonded: glued from the "
+                 "first touch on; friction: separable, with Coulomb friction",
+          .choices = {"separable", "bonded", "friction"},
+          .example = R"("separable")"};
+}
+
+Key contact_friction() {
+  return {.name = "friction",
+          .type = Type::quantity,
+          .unit = "1",
+          .minimum = 0,
+          .maximum = 10,
+          .doc = "Coulomb's coefficient: largest shear traction over pressure",
+          .example = "0.3"};
+}
+
 std::vector<Section> settings() {
-  return {{"contact",
-           "What happens where bodies meet.",
-           {{.name = "default",
-             .type = Type::choice,
-             .default_text = "separable",
-             .doc = "separable: frictionless, pressed together or apart, never pulled",
-             .choices = {"separable"},
-             .not_yet = {"bonded", "friction"},
-             .example = R"("separable")"}}},
-          {"method",
-           "The numerical method.",
-           {{.name = "scheme",
-             .type = Type::choice,
-             .default_text = "conservative",
-             .doc = "how surfaces are treated; conservative: cut cells that keep mass, momentum and energy",
-             .choices = {"conservative"},
-             .not_yet = {"ghost-fluid", "seed"},
-             .example = R"("conservative")"}}},
-          {"output",
-           "What is written, and how often.",
-           {table("fields", "pictures of the whole domain"), table("history", "sums over each body")}},
-          {"output.fields",
-           "Pictures of the whole domain.",
-           {every("time between two pictures; 0: only the first and the last"),
-            {.name = "variables",
-             .type = Type::texts,
-             .doc = "which fields; without it all",
-             .example = R"(["pressure", "velocity", "plastic-strain"])"}}},
-          {"output.history",
-           "Sums over each body, in history.csv.",
-           {every("time between two lines; 0: every step")}}};
+  return {
+      {"contact",
+       "What happens where bodies meet.",
+       {contact_mode("default", "between all bodies that [contact.pairs] does not name"), contact_friction(),
+        table("pairs", "what holds between two bodies: NAME-NAME = { mode = ..., friction = ... }")}},
+      {"contact.pairs.*",
+       "What happens where two bodies meet.",
+       {contact_mode("mode", "between these two"), contact_friction()}},
+      {"method",
+       "The numerical method.",
+       {{.name = "scheme",
+         .type = Type::choice,
+         .default_text = "conservative",
+         .doc = "how surfaces are treated; conservative: cut cells that keep mass, momentum and energy",
+         .choices = {"conservative"},
+         .not_yet = {"ghost-fluid", "seed"},
+         .example = R"("conservative")"}}},
+      {"output",
+       "What is written, and how often.",
+       {table("fields", "pictures of the whole domain"), table("history", "sums over each body")}},
+      {"output.fields",
+       "Pictures of the whole domain.",
+       {every("time between two pictures; 0: only the first and the last"),
+        {.name = "variables",
+         .type = Type::texts,
+         .doc = "which fields; without it all",
+         .example = R"(["pressure", "velocity", "plastic-strain"])"}}},
+      {"output.history",
+       "Sums over each body, in history.csv.",
+       {every("time between two lines; 0: every step")}}};
 }
 
 Section expect() {

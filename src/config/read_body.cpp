@@ -54,9 +54,40 @@ Vector read_spin(const Node& node, const Key& key, const CaseReading& in) {
   if (in.geometry == Geometry::space) return read_vector(node, key, in.out, in.axes);
   if (in.geometry == Geometry::planar)
     return {0, 0, read_quantity(node, key.name, key.unit, in.out, key.example)};
-  in.out.error(node.key_place, fmt::format("'spin' means nothing for geometry \"{}\"", name_of(in.geometry)),
+  in.out.error(node.key_place,
+               fmt::format("'{}' means nothing for geometry \"{}\"", key.name, name_of(in.geometry)),
                "it exists in planar and 3d cases");
   return {};
+}
+
+const char* mass_unit(Geometry geometry) {
+  return geometry == Geometry::line ? "kg/m2" : geometry == Geometry::planar ? "kg/m" : "kg";
+}
+
+/// The mass of a rigid body and how it turns; what goes together is checked.
+void read_free_body(const Record& record, const Key& inertia, Body& body, const CaseReading& in) {
+  for (const char* key : {"mass", "inertia", "centre-of-mass"})
+    if (record.has(key) && !body.rigid)
+      in.out.error(record.key_place(key), fmt::format("'{}' is for rigid bodies", key),
+                   "a deformable body has the mass of its material; or add rigid = true");
+  for (const char* key : {"inertia", "centre-of-mass"})
+    if (body.rigid && record.has(key) && !record.has("mass"))
+      in.out.error(record.key_place(key), fmt::format("'{}' without 'mass' means nothing", key),
+                   "a rigid body without a mass keeps its velocity");
+  if (!body.rigid || !record.has("mass")) return;
+  body.mass = record.number("mass");
+  body.centre_of_mass = record.vector3("centre-of-mass");
+  if (const Node* i = record.node("inertia")) {
+    Key key = inertia;
+    if (in.geometry == Geometry::planar) key.unit = "kg m";
+    body.inertia = read_spin(*i, key, in);
+    for (const double moment : body.inertia)
+      if (moment < 0) in.out.error(record.place("inertia"), "a moment of inertia is negative");
+    if (!record.has("centre-of-mass"))
+      in.out.error(record.key_place("inertia"),
+                   "'inertia' needs 'centre-of-mass', the point about which the body turns",
+                   "e.g. centre-of-mass = { x = \"0 mm\", y = \"0 mm\" }");
+  }
 }
 
 Body read_body(const Node& node, const CaseReading& in) {
@@ -64,8 +95,12 @@ Body read_body(const Node& node, const CaseReading& in) {
   const Key velocity =
       *std::find_if(keys.begin(), keys.end(), [](const Key& k) { return k.name == "velocity"; });
   const Key spin = *std::find_if(keys.begin(), keys.end(), [](const Key& k) { return k.name == "spin"; });
-  for (Key& key : keys)  // has two forms: read below
-    if (key.name == "velocity") key.type = Key::Type::any;
+  const Key inertia =
+      *std::find_if(keys.begin(), keys.end(), [](const Key& k) { return k.name == "inertia"; });
+  for (Key& key : keys) {
+    if (key.name == "velocity") key.type = Key::Type::any;  // has two forms: read below
+    if (key.name == "mass") key.unit = mass_unit(in.geometry);
+  }
   const Record record = read_record(node, keys, in.out, in.axes);
   Body body;
   body.name = node.key;
@@ -82,10 +117,14 @@ Body read_body(const Node& node, const CaseReading& in) {
   if (record.good("shape")) body.shape = read_shape(*record.node("shape"), in);
   if (const Node* v = record.node("velocity")) body.velocity = read_velocity(*v, velocity, in);
   if (const Node* s = record.node("spin")) body.spin = read_spin(*s, spin, in);
-  body.spin_centre = record.vector3("spin-centre");
+  read_free_body(record, inertia, body, in);
+  body.spin_centre = body.mass > 0 ? body.centre_of_mass : record.vector3("spin-centre");
+  if (body.mass > 0 && record.has("spin-centre"))
+    in.out.error(record.key_place("spin-centre"), "a free rigid body turns about its centre of mass",
+                 "take out 'spin-centre', and give 'centre-of-mass'");
   if (record.has("spin-centre") && !record.has("spin"))
     in.out.error(record.key_place("spin-centre"), "'spin-centre' without 'spin' means nothing");
-  if (record.has("spin") && !record.has("spin-centre"))
+  if (record.has("spin") && !record.has("spin-centre") && !(body.mass > 0))
     in.out.error(record.key_place("spin"), "'spin' needs 'spin-centre', the point about which the body turns",
                  "e.g. spin-centre = { x = \"0 mm\", y = \"0 mm\" }");
   return body;
@@ -104,24 +143,6 @@ void report_unknown_body(const Place& place, const std::string& name, const std:
   const std::string near = did_you_mean(name, names);
   out.error(place, fmt::format("there is no body '{}'", name),
             !near.empty() ? near : fmt::format("the bodies are: {}", fmt::join(names, ", ")));
-}
-
-/// The two bodies of a pair; unknown and ambiguous ones are reported.
-std::array<std::string, 2> read_pair(const std::string& pair, const Place& place,
-                                     const std::vector<std::string>& names, Diagnostics& out) {
-  const auto found = pairs_named(pair, names);
-  if (found.size() == 1 && found[0][0] != found[0][1]) return found[0];
-  if (found.size() > 1) {
-    out.error(place, fmt::format("'{}' can be read as more than one pair of bodies", pair), "rename a body");
-    return {};
-  }
-  std::vector<std::string> all;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    for (std::size_t j = i + 1; j < names.size(); ++j) all.push_back(names[i] + '-' + names[j]);
-  const std::string near = did_you_mean(pair, all);
-  out.error(place, fmt::format("'{}' is no pair of two bodies", pair),
-            !near.empty() ? near : fmt::format("the pairs are: {}", fmt::join(all, ", ")));
-  return {};
 }
 
 void check_inside(const Gauge& gauge, const Place& place, const Domain& domain, const CaseReading& in) {
@@ -230,6 +251,23 @@ std::vector<std::array<std::string, 2>> pairs_named(std::string_view pair,
     if (pair[i] == '-' && known(a) && known(b)) found.push_back({std::string(a), std::string(b)});
   }
   return found;
+}
+
+std::array<std::string, 2> read_pair(const std::string& pair, const Place& place,
+                                     const std::vector<std::string>& names, Diagnostics& out) {
+  const auto found = pairs_named(pair, names);
+  if (found.size() == 1 && found[0][0] != found[0][1]) return found[0];
+  if (found.size() > 1) {
+    out.error(place, fmt::format("'{}' can be read as more than one pair of bodies", pair), "rename a body");
+    return {};
+  }
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t j = i + 1; j < names.size(); ++j) all.push_back(names[i] + '-' + names[j]);
+  const std::string near = did_you_mean(pair, all);
+  out.error(place, fmt::format("'{}' is no pair of two bodies", pair),
+            !near.empty() ? near : fmt::format("the pairs are: {}", fmt::join(all, ", ")));
+  return {};
 }
 
 void check_expected_names(const std::vector<Expectation>& expect, const std::vector<Body>& bodies,

@@ -22,6 +22,10 @@ std::vector<Gauge> read_gauges(const Node& table, const std::vector<Body>& bodie
 std::vector<std::array<std::string, 2>> pairs_named(std::string_view pair,
                                                     const std::vector<std::string>& names);
 
+/// The two bodies of a pair "a-b"; unknown and ambiguous ones are reported, and come back empty.
+std::array<std::string, 2> read_pair(const std::string& pair, const Place& place,
+                                     const std::vector<std::string>& names, Diagnostics& out);
+
 /// Checks that what the expectations speak of exists: gauge.NAME..., body.NAME..., contact.A-B...
 void check_expected_names(const std::vector<Expectation>& expect, const std::vector<Body>& bodies,
                           const std::vector<Gauge>& gauges, Diagnostics& out);

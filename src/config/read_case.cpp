@@ -7,6 +7,7 @@
 
 #include "config/overrides.hpp"
 #include "config/read_body.hpp"
+#include "config/read_contact.hpp"
 #include "config/read_expect.hpp"
 #include "config/read_shape.hpp"
 #include "config/table.hpp"
@@ -157,11 +158,11 @@ void read_sections(const Node& root, const Record& top, Case& c, Diagnostics& ou
   if (top.good("time")) c.time = read_time(*root.find("time"), out);
   c.output = read_output(table_or_empty(root, "output"), out);
   c.method.scheme = read_record(table_or_empty(root, "method"), keys_of("method"), out).text("scheme");
-  read_record(table_or_empty(root, "contact"), keys_of("contact"), out);
   c.expect = read_expectations(table_or_empty(root, "expect"), out);
   // Without a domain the coordinates are not known: bodies would only give errors that follow from that one.
   if (!top.good("domain") || !top.good("body")) return;
   c.bodies = read_bodies(*root.find("body"), in);
+  c.contact = read_contact(table_or_empty(root, "contact"), c.bodies, out);
   c.gauges = read_gauges(table_or_empty(root, "gauge"), c.bodies, c.domain, in);
   check_expected_names(c.expect, c.bodies, c.gauges, out);
 }

@@ -6,12 +6,12 @@ double free_velocity(double velocity, double stress, double impedance) {
   return velocity - stress / impedance;
 }
 
-Touch touch(const ContactSide& first, const ContactSide& second, double gap_speed) {
+Touch touch(const ContactSide& first, const ContactSide& second, double gap_speed, bool glued) {
   const double za = first.impedance, zb = second.impedance;
   const double va = free_velocity(first.velocity, first.stress, za);
   const double vb = free_velocity(second.velocity, -second.stress, zb);
   const double w = vb - va + gap_speed;
-  if (!(w < 0)) return {};
+  if (!(w < 0) && !glued) return {};
   Touch t;
   t.touching = true;
   t.traction = w * za * zb / (za + zb);
@@ -21,10 +21,10 @@ Touch touch(const ContactSide& first, const ContactSide& second, double gap_spee
   return t;
 }
 
-Touch touch_rigid(const ContactSide& body, double wall_velocity, double gap_speed) {
+Touch touch_rigid(const ContactSide& body, double wall_velocity, double gap_speed, bool glued) {
   const double va = free_velocity(body.velocity, body.stress, body.impedance);
   const double w = wall_velocity - va + gap_speed;
-  if (!(w < 0)) return {};
+  if (!(w < 0) && !glued) return {};
   Touch t;
   t.touching = true;
   t.traction = w * body.impedance;

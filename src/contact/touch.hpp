@@ -12,7 +12,7 @@ struct ContactSide {
 /// The outcome where two surfaces may touch.
 struct Touch {
   bool touching = false;
-  double traction = 0;                             // sigma* <= 0 [Pa]
+  double traction = 0;                             // sigma* [Pa], <= 0 unless glued
   double first_velocity = 0, second_velocity = 0;  // of each wall along e [m/s]
   double work_velocity = 0;  // the one velocity with which the traction works on both [m/s]
 };
@@ -27,9 +27,10 @@ double free_velocity(double velocity, double stress, double impedance);
 /// @param gap_speed gap over time step while a gap is still to close [m/s]; 0 in contact. It makes first
 /// touch
 ///   happen on time, without a stand-off.
-Touch touch(const ContactSide& first, const ContactSide& second, double gap_speed);
+/// @param glued the bodies hold each other: sigma* may pull.
+Touch touch(const ContactSide& first, const ContactSide& second, double gap_speed, bool glued = false);
 
 /// The same against a rigid body (infinite impedance) that moves with `wall_velocity` along e.
-Touch touch_rigid(const ContactSide& body, double wall_velocity, double gap_speed);
+Touch touch_rigid(const ContactSide& body, double wall_velocity, double gap_speed, bool glued = false);
 
 }  // namespace recoil

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
 #include "cutcell/cut_cell.hpp"
+#include "cutcell/rigid_motion.hpp"
 #include "field/window.hpp"
 #include "material/material.hpp"
 
@@ -40,13 +40,6 @@ struct BodyBlock {
   std::vector<Donor<Dim>> donors;
   std::vector<GhostCell<Dim>> ghosts;
   std::vector<Update<Dim>> updates;
-};
-
-/// A rigid body: a shape that moves as prescribed.
-template <int Dim>
-struct RigidMotion {
-  std::function<double(const Vec<Dim>&)> distance;  // signed distance at t = 0
-  Vec<Dim> velocity;                                // m/s
 };
 
 template <int Dim>
@@ -89,6 +82,7 @@ struct PairRecord {
   Vec<Dim> force;                              // on the lower-numbered body, last stage
   double traction = 0, velocity = 0, gap = 0;  // area-weighted sums, last stage
   Vec<Dim> place;                              // area-weighted sum of x_I
+  Vec<3> moment;                               // as exchanged.momentum, about the origin [N m s]
   double widest_gap = 0, deepest_overlap = 0;  // in dx, at touching cells, last stage
 };
 
@@ -100,12 +94,24 @@ struct BlockLedger {
   Counters counters;
 };
 
+/// What holds where two bodies meet.
+struct ContactLaw {
+  enum class Mode : std::uint8_t {
+    separable,  // pressed together or apart, never pulled; no shear
+    bonded,     // glued once they have touched: neither parts nor slides
+    friction    // separable, with Coulomb friction
+  };
+  Mode mode = Mode::separable;
+  double coefficient = 0;  // of friction
+};
+
 /// Everything that a run advances.
 template <int Dim>
 struct State {
   Mesh<Dim> mesh;
   std::vector<Body<Dim>> bodies;
   std::vector<BlockLedger<Dim>> ledger;  // by local slot
+  std::vector<ContactLaw> contact;       // by pair_number
   double time = 0;                       // s
   long step = 0;
   double travel = 0;  // of surfaces since the last full redistancing [m]

@@ -47,6 +47,7 @@ struct Wall {
   // the wall of this stage
   Vec<Dim> normal;             // out of the body
   double traction = 0;         // sigma* of the contact [Pa], 0 where free
+  Vec<Dim> shear;              // tau* of the contact on the outward normal [Pa], 0 without friction
   Vec<Dim> face_velocity;      // of the main part of the wall
   Vec<Dim> velocity;           // area mean over its parts
   Vec<Dim> mean_velocity;      // of the stages so far, with the weights of the scheme

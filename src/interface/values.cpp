@@ -156,7 +156,7 @@ Primitives<Dim> centred(const Grid<Dim>& grid, const Material& material, const C
              slopes = tangential_block(slope, g, n);
   for (int d = 0; d < Dim; ++d) {
     const auto e = static_cast<std::size_t>(d);
-    x.shear[d] = limited(g.shear[d], 0, here.shear[d]);
+    x.shear[d] = limited(g.shear[d], wall.shear[d], here.shear[d]);
     x.sliding[d] = limited(g.sliding[d], wall_sliding[d], here.sliding[d]);
     for (int f = 0; f < Dim; ++f) x.tangential[e][f] = limited(slopes[e][f], fitted[e][f], block[e][f]);
   }
@@ -214,8 +214,12 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
   v[C::p] = p;
   Change<Dim> x;
   x.normal_velocity = normal_velocity - s.velocity;
-  x.sliding = -shear_recoil(s);
-  x.shear = -s.shear;
+  Vec<Dim> held = wall.shear;  // by friction, in the frame of the ghost
+  for (int d = 0; d < Dim; ++d)
+    if ((ghost.flips >> d & 1U) != 0) held[d] = -held[d];
+  held -= dot(held, n) * n;
+  x.shear = held - s.shear;
+  if (s.shear_impedance > 0) x.sliding = x.shear * (1 / s.shear_impedance);
   apply(v, x, n);
   return v;
 }

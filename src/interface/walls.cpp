@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "contact/friction.hpp"
 #include "contact/touch.hpp"
 #include "cutcell/geometry.hpp"
 #include "dynamics/primitives.hpp"
@@ -14,6 +16,7 @@ namespace {
 constexpr double touching_gap = 0.5;  // surfaces farther apart [dx] do not meet in this step
 constexpr double settled_gap =
     0.1;  // below this [dx], what was in contact stays so without closing a gap first
+constexpr double welded_gap = 0.01;  // glued bodies that are this near [dx] hold each other
 constexpr double small_face =
     0.1;  // of dx^(Dim-1): a smaller part of a surface takes its normal from elsewhere
 
@@ -102,14 +105,16 @@ double shared_area(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>
 
 template <int Dim>
 void record(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, const Touch& t,
-            const Vec<Dim>& e, double area, double gap) {
+            const Grip<Dim>& g, const Vec<Dim>& e, double area, double gap) {
   auto& ledger = a.state.ledger[static_cast<std::size_t>(a.slot)];
   const bool in_order = first.body < second.body;
   PairRecord<Dim>& r = ledger.pairs[static_cast<std::size_t>(
       pair_number(std::min(first.body, second.body), std::max(first.body, second.body), a.state.count()))];
-  const Vec<Dim> force = (in_order ? 1.0 : -1.0) * t.traction * area * e;
-  const double power = (in_order ? 1.0 : -1.0) * t.traction * area * t.work_velocity;
+  const double sign = in_order ? 1.0 : -1.0;
+  const Vec<Dim> force = (sign * area) * (t.traction * e + g.traction);
+  const double power = sign * area * (t.traction * t.work_velocity + dot(g.traction, g.work_velocity));
   r.exchanged.momentum += a.booked * force;
+  r.moment += a.booked * cross(first.cut->point, force);
   r.exchanged.energy += a.booked * power;
   r.area += area;
   r.force += force;
@@ -122,19 +127,32 @@ void record(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& secon
 }
 
 template <int Dim>
-void touch_part(Side<Dim>& s, int partner, const SurfaceState<Dim>& state, const Vec<Dim>& e, double sign,
-                double normal_velocity, const Touch& t, double area) {
-  // The shear traction on the outward normal sign * e is sign * state.shear.
-  const Vec<Dim> velocity = normal_velocity * e + state.sliding - sign * shear_recoil(state);
-  act(s, sign * t.traction * area * e, sign * t.traction * area * t.work_velocity, velocity, sign * area * e);
+void touch_part(Side<Dim>& s, int partner, const Vec<Dim>& e, double sign, const Vec<Dim>& velocity,
+                const Touch& t, const Grip<Dim>& g, double area) {
+  act(s, (sign * area) * (t.traction * e + g.traction),
+      sign * area * (t.traction * t.work_velocity + dot(g.traction, g.work_velocity)), velocity,
+      sign * area * e);
   s.rest -= sign * area * e;
   s.touched_velocity = (s.touched_velocity * s.touched + velocity * area) * (1 / (s.touched + area));
   s.touched += area;
   Wall<Dim>& w = *s.wall;
   w.partners |= 1U << partner;
   w.traction = t.traction;
+  w.shear = sign * g.traction;
   w.face_velocity = velocity;
   w.normal = sign * e;
+}
+
+/// The largest shear traction that a contact carries.
+double shear_limit(const ContactLaw& law, const Touch& t) {
+  if (law.mode == ContactLaw::Mode::bonded) return std::numeric_limits<double>::infinity();
+  return law.coefficient * std::abs(t.traction);
+}
+
+/// Without friction nothing is held, and each surface slides as it likes.
+template <int Dim>
+ShearSide<Dim> shear_side(const SurfaceState<Dim>& s) {
+  return {s.sliding, s.shear, s.shear_impedance};
 }
 
 template <int Dim>
@@ -148,22 +166,29 @@ void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double 
         &other = bodies[static_cast<std::size_t>(second.body)];
   const bool was =
       was_in_contact(a, first.body, second.body, i) || was_in_contact(a, second.body, first.body, i);
-  const double gap_speed = was && gap < settled_gap * a.dx() ? 0 : std::max(gap, 0.0) / a.dt;
+  const ContactLaw& law = a.state.contact[static_cast<std::size_t>(
+      pair_number(std::min(first.body, second.body), std::max(first.body, second.body), a.state.count()))];
+  const bool glued = law.mode == ContactLaw::Mode::bonded && (was || std::abs(gap) < welded_gap * a.dx());
+  const double gap_speed = glued || (was && gap < settled_gap * a.dx()) ? 0 : std::max(gap, 0.0) / a.dt;
   const auto s = surface_state(one.material, first.wall->value, e);
   const ContactSide mine{s.velocity, s.stress, s.impedance};
   if (second.rigid) {
-    const Touch t = touch_rigid(mine, dot(other.rigid->velocity, e), gap_speed);
+    const Vec<Dim> wall = velocity_at(*other.rigid, first.cut->point);
+    const double along = dot(wall, e);
+    const Touch t = touch_rigid(mine, along, gap_speed, glued);
     if (!t.touching) return;
-    touch_part(first, second.body, s, e, 1, t.first_velocity, t, area);
-    record(a, first, second, t, e, area, gap);
+    const Grip<Dim> g = grip_rigid(shear_side(s), wall - along * e, shear_limit(law, t));
+    touch_part(first, second.body, e, 1, t.first_velocity * e + g.first_velocity, t, g, area);
+    record(a, first, second, t, g, e, area, gap);
     return;
   }
   const auto r = surface_state(other.material, second.wall->value, e);
-  const Touch t = touch(mine, {r.velocity, r.stress, r.impedance}, gap_speed);
+  const Touch t = touch(mine, {r.velocity, r.stress, r.impedance}, gap_speed, glued);
   if (!t.touching) return;
-  touch_part(first, second.body, s, e, 1, t.first_velocity, t, area);
-  touch_part(second, first.body, r, e, -1, t.second_velocity, t, area);
-  record(a, first, second, t, e, area, gap);
+  const Grip<Dim> g = grip(shear_side(s), shear_side(r), shear_limit(law, t));
+  touch_part(first, second.body, e, 1, t.first_velocity * e + g.first_velocity, t, g, area);
+  touch_part(second, first.body, e, -1, t.second_velocity * e + g.second_velocity, t, g, area);
+  record(a, first, second, t, g, e, area, gap);
 }
 
 /// All pairs that meet in a cell, smallest gap first: each takes what the ones before have left of the
@@ -229,6 +254,7 @@ void free_part(const Around<Dim>& a, Side<Dim>& s, const Index<Dim>& i, double f
 template <int Dim>
 void reset(Wall<Dim>& w) {
   w.traction = 0;
+  w.shear = {};
   w.partners = 0;
   w.volume_rate = 0;
   w.force = {};
@@ -281,8 +307,10 @@ void find_walls(State<Dim>& state, int slot, double dt, double share, Scratch& s
   auto& ledger = state.ledger[static_cast<std::size_t>(slot)];
   for (auto& p : ledger.pairs) {
     const Account<Dim> kept = p.exchanged;
+    const Vec<3> moment = p.moment;
     p = {};
     p.exchanged = kept;
+    p.moment = moment;
   }
   bool any = false;
   for (Body<Dim>& body : state.bodies) {

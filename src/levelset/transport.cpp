@@ -202,15 +202,15 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
 }
 
 template <int Dim>
-void place_rigid(const State<Dim>& state, Body<Dim>& body, int slot, double time, PhiAt where) {
+void place_rigid(const State<Dim>& state, Body<Dim>& body, int slot, double ahead, PhiAt where) {
   const Grid<Dim>& grid = state.grid();
   const double far = far_cells * grid.dx;
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
   BodyBlock<Dim>& b = body.at(slot);
   double* phi = where == PhiAt::midstep ? b.phi_next.data() : b.phi.data();
-  const Vec<Dim> moved = body.rigid->velocity * time;
+  const RigidPose<Dim> pose = pose_after(*body.rigid, ahead);
   for_each(cells, [&](const Index<Dim>& i) {
-    phi[layout.at(i - cells.lo)] = std::clamp(body.rigid->distance(grid.centre(i) - moved), -far, far);
+    phi[layout.at(i - cells.lo)] = std::clamp(distance_at(*body.rigid, pose, grid.centre(i)), -far, far);
   });
 }
 

@@ -26,8 +26,8 @@ void carry_again(const State<Dim>& state, Body<Dim>& body, int slot, double dt, 
 template <int Dim>
 void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double rate, Scratch& scratch);
 
-/// phi of a rigid body at a time, exact; into BodyBlock::phi or ::phi_next.
+/// phi of a rigid body `ahead` seconds from now, exact; into BodyBlock::phi or ::phi_next.
 template <int Dim>
-void place_rigid(const State<Dim>& state, Body<Dim>& body, int slot, double time, PhiAt where);
+void place_rigid(const State<Dim>& state, Body<Dim>& body, int slot, double ahead, PhiAt where);
 
 }  // namespace recoil

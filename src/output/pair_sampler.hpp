@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "cutcell/body.hpp"
-#include "output/ordered_sums.hpp"
 #include "output/pair_sample.hpp"
+#include "parallel/ordered_sums.hpp"
 
 namespace recoil {
 

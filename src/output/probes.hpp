@@ -3,8 +3,8 @@
 #include <span>
 
 #include "cutcell/body.hpp"
-#include "output/ordered_sums.hpp"
 #include "output/point_state.hpp"
+#include "parallel/ordered_sums.hpp"
 
 namespace recoil {
 

@@ -37,7 +37,7 @@ std::vector<std::string> names_of(const State<Dim>& state) {
 template <int Dim>
 std::vector<bool> rigid_bodies(const State<Dim>& state) {
   std::vector<bool> rigid;
-  for (const auto& body : state.bodies) rigid.push_back(body.rigid.has_value());
+  for (const auto& body : state.bodies) rigid.push_back(body.rigid && !body.rigid->mass);
   return rigid;
 }
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "output/ordered_sums.hpp"
+#include "parallel/ordered_sums.hpp"
 
 namespace recoil {
 
@@ -137,6 +137,21 @@ BodyTotals<Dim> take_body(std::span<const double> row) {
   return t;
 }
 
+/// A free rigid body holds what it has been given; one that moves as prescribed counts as nothing.
+template <int Dim>
+BodyTotals<Dim> rigid_totals(const RigidMotion<Dim>& m) {
+  BodyTotals<Dim> t;
+  for (int d = 0; d < Dim; ++d) t.lowest[d] = t.highest[d] = std::numeric_limits<double>::quiet_NaN();
+  if (!m.mass) return t;
+  t.mass = m.mass->mass;
+  t.momentum = t.mass * m.velocity;
+  t.kinetic = kinetic_energy(m);
+  t.energy = m.mass->energy;
+  t.speed = norm(t.momentum);
+  t.place = t.mass * m.centre;
+  return t;
+}
+
 /// One row of sums for each body in each block of this rank, computed by all threads.
 template <int Dim>
 std::vector<double> sum_blocks(const State<Dim>& state, parallel::Team* team) {
@@ -193,6 +208,8 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
   t.time = state.time;
   for (int m = 0; m < bodies; ++m) {
     t.bodies.push_back(take_body<Dim>(sums.total(m)));
+    if (state.bodies[static_cast<std::size_t>(m)].rigid)
+      t.bodies.back() = rigid_totals(*state.bodies[static_cast<std::size_t>(m)].rigid);
     t.edges.push_back(take_account<Dim>(sums.total(bodies + m)));
   }
   for (int p = 0; p < pairs; ++p) t.pairs.push_back(take_account<Dim>(sums.total(2 * bodies + p)));

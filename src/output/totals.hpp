@@ -30,7 +30,7 @@ struct BodyTotals {
 template <int Dim>
 struct Totals {
   double time = 0;                      // s
-  std::vector<BodyTotals<Dim>> bodies;  // zeros for rigid ones
+  std::vector<BodyTotals<Dim>> bodies;  // zeros for rigid ones that move as prescribed
   std::vector<Account<Dim>> edges;      // by body: what has left
   std::vector<Account<Dim>> pairs;      // by pair_number: received by the lower-numbered body
 };

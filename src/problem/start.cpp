@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "levelset/transport.hpp"
@@ -100,6 +101,51 @@ void place_body(State<Dim>& state, int m, const config::Body& from,
   }
 }
 
+ContactLaw contact_law(const config::ContactChoice& choice) {
+  using From = config::ContactChoice::Mode;
+  using enum ContactLaw::Mode;
+  return {choice.mode == From::bonded     ? bonded
+          : choice.mode == From::friction ? friction
+                                          : separable,
+          choice.friction};
+}
+
+/// A free body must be modelled whole: half of one would be pushed off its plane of symmetry.
+template <int Dim>
+void check_whole(const Grid<Dim>& grid, const std::string& name,
+                 const std::function<double(const Vec<Dim>&)>& distance) {
+  for (int d = 0; d < Dim; ++d)
+    for (int side = 0; side < 2; ++side) {
+      if (grid.edge[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)] != Edge::reflect) continue;
+      if (grid.axisymmetric && d == 0 && side == 0) continue;
+      Box<Dim> layer = grid.domain();
+      (side == 0 ? layer.hi : layer.lo)[d] = side == 0 ? layer.lo[d] + 1 : layer.hi[d] - 1;
+      for_each(layer, [&](const Index<Dim>& i) {
+        if (distance(grid.centre(i)) < -0.5 * grid.dx)
+          throw InputError(
+              fmt::format("error: the free rigid body '{}' is cut by a plane of symmetry, axis {}\n"
+                          "   = help: model it whole, or take out its mass: then it keeps its velocity",
+                          name, d));
+      });
+    }
+}
+
+template <int Dim>
+RigidMotion<Dim> rigid_motion(const Grid<Dim>& grid, const config::Body& from,
+                              const std::function<double(const Vec<Dim>&)>& distance) {
+  RigidMotion<Dim> m;
+  m.distance = distance;
+  m.velocity = first_components<Dim>(from.velocity);
+  for (int d = 0; d < 3; ++d) m.spin[d] = from.spin[static_cast<std::size_t>(d)];
+  m.start_centre = m.centre = first_components<Dim>(from.spin_centre);
+  if (!(from.mass > 0)) return m;
+  check_whole(grid, from.name, distance);
+  Vec<3> inertia;
+  for (int d = 0; d < 3; ++d) inertia[d] = from.inertia[static_cast<std::size_t>(d)];
+  set_free(m, from.mass / (grid.axisymmetric ? 2 * std::numbers::pi : 1), inertia);
+  return m;
+}
+
 template <int Dim>
 void find_overlaps_in(const config::Case& c, config::Diagnostics& out) {
   const Grid<Dim> grid = make_grid<Dim>(c);
@@ -187,7 +233,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
     body.name = c.bodies[m].name;
     body.blocks.resize(static_cast<std::size_t>(state.mesh.slots()));
     if (c.bodies[m].rigid) {
-      body.rigid = RigidMotion<Dim>{distance[m], first_components<Dim>(c.bodies[m].velocity)};
+      body.rigid = rigid_motion(grid, c.bodies[m], distance[m]);
     } else {
       body.material = materials[m];
       body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
@@ -196,6 +242,9 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
     place_body(state, static_cast<int>(m), c.bodies[m], distance[m]);
   }
   const auto n = c.bodies.size();
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = a + 1; b < n; ++b)
+      state.contact.push_back(contact_law(c.contact.between(c.bodies[a].name, c.bodies[b].name)));
   state.ledger.resize(static_cast<std::size_t>(state.mesh.local()));
   for (auto& l : state.ledger) {
     l.pairs.resize(n * (n - 1) / 2);

@@ -17,6 +17,7 @@
 #include "interface/walls.hpp"
 #include "levelset/band.hpp"
 #include "levelset/transport.hpp"
+#include "timestep/rigid_bodies.hpp"
 
 namespace recoil {
 
@@ -116,7 +117,7 @@ void Phases<Dim>::carry_surfaces_half(double dt) {
   for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     carry(state_, body, slot, 0.5 * dt, scratch);
   });
-  place_rigid_bodies(state_.time + 0.5 * dt, PhiAt::midstep);
+  place_rigid_bodies(0.5 * dt, PhiAt::midstep);
   share(part_phi_next);
 }
 
@@ -231,15 +232,21 @@ void Phases<Dim>::carry_surfaces(double dt) {
   for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     carry_again(state_, body, slot, dt, scratch);
   });
-  place_rigid_bodies(state_.time + dt, PhiAt::now);
+  place_rigid_bodies(0, PhiAt::now);
   share(part_phi);
 }
 
 template <int Dim>
-void Phases<Dim>::place_rigid_bodies(double time, PhiAt where) {
+void Phases<Dim>::place_rigid_bodies(double ahead, PhiAt where) {
   for (Body<Dim>& body : state_.bodies)
     for (int slot = 0; slot < state_.mesh.local(); ++slot)
-      if (body.rigid && body.present(slot)) place_rigid(state_, body, slot, time, where);
+      if (body.rigid && body.present(slot)) place_rigid(state_, body, slot, ahead, where);
+}
+
+template <int Dim>
+void Phases<Dim>::move_rigid_bodies(double dt) {
+  const Timers<StepPart>::Span span(engine_.timers, StepPart::walls);
+  recoil::move_rigid_bodies(state_, engine_.world, dt);
 }
 
 template <int Dim>
@@ -326,8 +333,7 @@ void Phases<Dim>::update_bands() {
       Body<Dim>& body = state_.bodies[m];
       const bool entered = !body.present(slot);
       apply_band(state_, body, slot, choice[static_cast<std::size_t>(slot) * bodies + m]);
-      if (entered && body.rigid && body.present(slot))
-        place_rigid(state_, body, slot, state_.time, PhiAt::now);
+      if (entered && body.rigid && body.present(slot)) place_rigid(state_, body, slot, 0, PhiAt::now);
     }
   recoil::share(state_, engine_.world, part_phi | part_matter | part_contact);
 }

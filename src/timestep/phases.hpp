@@ -35,6 +35,8 @@ class Phases {
   /// Primitives of the new averages, with the roles of the step.
   void refresh_averages();
 
+  /// To the end of the step; free ones with what their contacts have given them.
+  void move_rigid_bodies(double dt);
   void carry_surfaces(double dt);
   void remember_contact();
   void redistance(double dt);
@@ -53,7 +55,7 @@ class Phases {
   void for_each_slot(StepPart part, F&& f);  // f(slot, scratch)
   Counters& counters(int slot) { return state_.ledger[static_cast<std::size_t>(slot)].counters; }
   void swap_phi();
-  void place_rigid_bodies(double time, PhiAt where);
+  void place_rigid_bodies(double ahead, PhiAt where);
   void apply(StepPart part);
 
   State<Dim>& state_;

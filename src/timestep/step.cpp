@@ -45,6 +45,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   }
 
   // The level set goes with the walls, then follows the volumes; volume moves only with its contents.
+  step.move_rigid_bodies(dt);
   step.carry_surfaces(dt);
   step.remember_contact();
   step.redistance(dt);

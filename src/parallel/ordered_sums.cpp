@@ -1,4 +1,4 @@
-#include "output/ordered_sums.hpp"
+#include "parallel/ordered_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

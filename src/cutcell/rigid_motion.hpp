@@ -1,0 +1,77 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/vec.hpp"
+
+namespace recoil {
+
+/// Rows of a matrix that turns directions of the start into those of now.
+using Rotation = std::array<Vec<3>, 3>;
+
+/// What a free rigid body keeps. Per m2 in 1d, per m in planar geometry, per radian where axisymmetric.
+template <int Dim>
+struct RigidMass {
+  double mass = 0;  // kg
+  Vec<3> inertia;   // principal moments [kg m2] along the axes of the start; 0: no turning about that axis
+  Vec<Dim> start_momentum;  // kg m/s
+  Vec<3> start_moment;      // angular momentum about the origin [kg m2/s]
+  double start_energy = 0;  // J
+  double energy = 0;        // J: at the start, and what its contacts have given since
+};
+
+/// A rigid body: a shape that moves as prescribed or, with a mass, as its contacts push it.
+template <int Dim>
+struct RigidMotion {
+  std::function<double(const Vec<Dim>&)> distance;  // signed distance [m] at the start
+  Vec<Dim> velocity;                                // of the centre [m/s]
+  Vec<3> spin;                                      // rad/s; planar: the third
+  Vec<Dim> start_centre, centre;                    // the point that it turns about [m]
+  Rotation turn{Vec<3>{{1, 0, 0}}, Vec<3>{{0, 1, 0}}, Vec<3>{{0, 0, 1}}};
+  std::optional<RigidMass<Dim>> mass;  // none: moves as prescribed
+};
+
+/// Where a rigid body is at one time.
+template <int Dim>
+struct RigidPose {
+  Vec<Dim> centre;
+  Rotation turn;
+};
+
+/// a x b, where planar vectors lie in the plane of the first two axes.
+template <int Dim>
+Vec<3> cross(const Vec<Dim>& a, const Vec<Dim>& b) {
+  Vec<3> p, q;
+  for (int d = 0; d < Dim; ++d) p[d] = a[d], q[d] = b[d];
+  return {{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}};
+}
+
+/// Velocity [m/s] of the material point at x.
+template <int Dim>
+Vec<Dim> velocity_at(const RigidMotion<Dim>& motion, const Vec<Dim>& x);
+
+/// Where the body will be `ahead` seconds from now at its present velocity and spin.
+template <int Dim>
+RigidPose<Dim> pose_after(const RigidMotion<Dim>& motion, double ahead);
+
+/// Signed distance [m] of x from the body in a pose.
+template <int Dim>
+double distance_at(const RigidMotion<Dim>& motion, const RigidPose<Dim>& pose, const Vec<Dim>& x);
+
+/// Gives a body at rest or in motion a mass: what it keeps starts from its present velocity and spin.
+template <int Dim>
+void set_free(RigidMotion<Dim>& motion, double mass, const Vec<3>& inertia);
+
+/// Moves a body by one step. A free one takes what its contacts have given it since the start: impulse [N s],
+/// moment about the origin [N m s], work [J]; its momentum is exact, its place goes with the mean of the old
+/// and the new velocity. Its energy is what it was given: the difference to its kinetic energy is the error
+/// of the step (docs/theory.md, rigid bodies).
+template <int Dim>
+void advance(RigidMotion<Dim>& motion, double dt, const Vec<Dim>& impulse, const Vec<3>& moment, double work);
+
+/// Kinetic energy [J] of a free body.
+template <int Dim>
+double kinetic_energy(const RigidMotion<Dim>& motion);
+
+}  // namespace recoil

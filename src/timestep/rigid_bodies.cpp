@@ -1,0 +1,89 @@
+#include "timestep/rigid_bodies.hpp"
+
+#include <algorithm>
+
+#include "parallel/ordered_sums.hpp"
+
+namespace recoil {
+
+namespace {
+
+/// What a body has been given since the start, as a row of numbers: impulse, moment, work.
+template <int Dim>
+struct Given {
+  static constexpr std::size_t width = Dim + 4;
+  std::array<double, width> row{};
+
+  Vec<Dim> impulse() const {
+    Vec<Dim> p;
+    for (int d = 0; d < Dim; ++d) p[d] = row[static_cast<std::size_t>(d)];
+    return p;
+  }
+  Vec<3> moment() const { return {{row[Dim], row[Dim + 1], row[Dim + 2]}}; }
+  double work() const { return row[width - 1]; }
+};
+
+/// Adds what one block has recorded of the contacts of body m.
+template <int Dim>
+void add_block(const State<Dim>& state, int slot, int m, std::span<double> row) {
+  const int n = state.count();
+  for (int other = 0; other < n; ++other) {
+    if (other == m) continue;
+    const PairRecord<Dim>& p =
+        state.ledger[static_cast<std::size_t>(slot)]
+            .pairs[static_cast<std::size_t>(pair_number(std::min(m, other), std::max(m, other), n))];
+    const double sign = m < other ? 1 : -1;
+    for (int d = 0; d < Dim; ++d) row[static_cast<std::size_t>(d)] += sign * p.exchanged.momentum[d];
+    for (int d = 0; d < 3; ++d) row[static_cast<std::size_t>(Dim + d)] += sign * p.moment[d];
+    row[Given<Dim>::width - 1] += sign * p.exchanged.energy;
+  }
+}
+
+template <int Dim>
+std::vector<Given<Dim>> given_to(const State<Dim>& state, const parallel::World& world,
+                                 const std::vector<int>& bodies) {
+  OrderedSums sums;
+  for (std::size_t k = 0; k < bodies.size(); ++k) sums.item(Given<Dim>::width);
+  for (int slot = 0; slot < state.mesh.local(); ++slot)
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      add_block(state, slot, bodies[k], sums.add(static_cast<int>(k), state.mesh.block(slot).order));
+  sums.reduce(world);
+  parallel::Bytes bytes;
+  if (world.rank() == 0)
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      parallel::pack(bytes, sums.total(static_cast<int>(k)).data(), Given<Dim>::width);
+  world.broadcast(bytes);
+  parallel::Unpacker from(bytes);
+  std::vector<Given<Dim>> all(bodies.size());
+  for (Given<Dim>& g : all) from.read(g.row.data(), g.row.size());
+  return all;
+}
+
+}  // namespace
+
+template <int Dim>
+void move_rigid_bodies(State<Dim>& state, const parallel::World& world, double dt) {
+  std::vector<int> free;
+  for (int m = 0; m < state.count(); ++m) {
+    Body<Dim>& body = state.bodies[static_cast<std::size_t>(m)];
+    if (!body.rigid) continue;
+    if (body.rigid->mass)
+      free.push_back(m);
+    else
+      advance(*body.rigid, dt, {}, {}, 0);
+  }
+  if (free.empty()) return;
+  const std::vector<Given<Dim>> given = given_to(state, world, free);
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    Vec<Dim> impulse = given[k].impulse();
+    if (state.grid().axisymmetric) impulse[0] = 0;  // what lies on the axis moves along it
+    advance(*state.bodies[static_cast<std::size_t>(free[k])].rigid, dt, impulse, given[k].moment(),
+            given[k].work());
+  }
+}
+
+template void move_rigid_bodies<1>(State<1>&, const parallel::World&, double);
+template void move_rigid_bodies<2>(State<2>&, const parallel::World&, double);
+template void move_rigid_bodies<3>(State<3>&, const parallel::World&, double);
+
+}  // namespace recoil

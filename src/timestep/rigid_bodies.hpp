@@ -1,0 +1,14 @@
+#pragma once
+
+#include "cutcell/body.hpp"
+#include "parallel/world.hpp"
+
+namespace recoil {
+
+/// Moves all rigid bodies to the end of a step of dt [s]: prescribed ones with their velocity, free ones with
+/// what their contacts have given them since the start (BlockLedger::pairs), summed in the order of the
+/// blocks. Collective where there is a free one.
+template <int Dim>
+void move_rigid_bodies(State<Dim>& state, const parallel::World& world, double dt);
+
+}  // namespace recoil
