@@ -58,12 +58,12 @@ Vec<3> moment_of(const Rotation& turn, const Vec<3>& inertia, const Vec<3>& spin
 
 template <int Dim>
 Vec<Dim> velocity_at(const RigidMotion<Dim>& m, const Vec<Dim>& x) {
-  return m.velocity + within<Dim>(cross(m.spin, in_space(x - m.centre)));
+  return m.mean_velocity + within<Dim>(cross(m.mean_spin, in_space(x - m.centre)));
 }
 
 template <int Dim>
 RigidPose<Dim> pose_after(const RigidMotion<Dim>& m, double ahead) {
-  return {m.centre + ahead * m.velocity, turned(m.turn, ahead * m.spin)};
+  return {m.centre + ahead * m.mean_velocity, turned(m.turn, ahead * m.mean_spin)};
 }
 
 template <int Dim>
@@ -79,10 +79,16 @@ double kinetic_energy(const RigidMotion<Dim>& m) {
 }
 
 template <int Dim>
+void set_moving(RigidMotion<Dim>& m, const Vec<Dim>& velocity, const Vec<3>& spin) {
+  m.velocity = m.mean_velocity = velocity;
+  m.spin = m.mean_spin = spin;
+}
+
+template <int Dim>
 void set_free(RigidMotion<Dim>& m, double mass, const Vec<3>& inertia) {
   m.mass = RigidMass<Dim>{mass, inertia, mass * m.velocity, {}, 0, 0};
   for (int d = 0; d < 3; ++d)
-    if (!(inertia[d] > 0)) m.spin[d] = 0;
+    if (!(inertia[d] > 0)) m.spin[d] = m.mean_spin[d] = 0;
   m.mass->start_moment = cross(m.centre, m.mass->start_momentum) + moment_of(m.turn, inertia, m.spin);
   m.mass->start_energy = m.mass->energy = kinetic_energy(m);
 }
@@ -103,6 +109,8 @@ void advance(RigidMotion<Dim>& m, double dt, const Vec<Dim>& impulse, const Vec<
   const Vec<3> spin_before = m.spin;
   m.spin = spin_of(m.turn, own.inertia, about_centre);
   m.turn = turned(m.turn, (0.5 * dt) * (spin_before + m.spin));
+  m.mean_velocity = m.velocity + 0.5 * (m.velocity - before);
+  m.mean_spin = m.spin + 0.5 * (m.spin - spin_before);
   own.energy = own.start_energy + work;
 }
 
@@ -110,6 +118,7 @@ void advance(RigidMotion<Dim>& m, double dt, const Vec<Dim>& impulse, const Vec<
   template Vec<Dim> velocity_at<Dim>(const RigidMotion<Dim>&, const Vec<Dim>&);                      \
   template RigidPose<Dim> pose_after<Dim>(const RigidMotion<Dim>&, double);                          \
   template double distance_at<Dim>(const RigidMotion<Dim>&, const RigidPose<Dim>&, const Vec<Dim>&); \
+  template void set_moving<Dim>(RigidMotion<Dim>&, const Vec<Dim>&, const Vec<3>&);                  \
   template void set_free<Dim>(RigidMotion<Dim>&, double, const Vec<3>&);                             \
   template void advance<Dim>(RigidMotion<Dim>&, double, const Vec<Dim>&, const Vec<3>&, double);     \
   template double kinetic_energy<Dim>(const RigidMotion<Dim>&);

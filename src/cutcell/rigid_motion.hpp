@@ -27,7 +27,9 @@ struct RigidMotion {
   std::function<double(const Vec<Dim>&)> distance;  // signed distance [m] at the start
   Vec<Dim> velocity;                                // of the centre [m/s]
   Vec<3> spin;                                      // rad/s; planar: the third
-  Vec<Dim> start_centre, centre;                    // the point that it turns about [m]
+  Vec<Dim> mean_velocity;  // over the coming step, as far as it is known at its start
+  Vec<3> mean_spin;
+  Vec<Dim> start_centre, centre;  // the point that it turns about [m]
   Rotation turn{Vec<3>{{1, 0, 0}}, Vec<3>{{0, 1, 0}}, Vec<3>{{0, 0, 1}}};
   std::optional<RigidMass<Dim>> mass;  // none: moves as prescribed
 };
@@ -47,11 +49,11 @@ Vec<3> cross(const Vec<Dim>& a, const Vec<Dim>& b) {
   return {{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}};
 }
 
-/// Velocity [m/s] of the material point at x.
+/// Mean velocity [m/s] over the coming step of the material point at x.
 template <int Dim>
 Vec<Dim> velocity_at(const RigidMotion<Dim>& motion, const Vec<Dim>& x);
 
-/// Where the body will be `ahead` seconds from now at its present velocity and spin.
+/// Where the body will be `ahead` seconds from now at its mean velocity and spin.
 template <int Dim>
 RigidPose<Dim> pose_after(const RigidMotion<Dim>& motion, double ahead);
 
@@ -59,14 +61,19 @@ RigidPose<Dim> pose_after(const RigidMotion<Dim>& motion, double ahead);
 template <int Dim>
 double distance_at(const RigidMotion<Dim>& motion, const RigidPose<Dim>& pose, const Vec<Dim>& x);
 
+/// Sets a body in motion; it keeps velocity [m/s] and spin [rad/s] unless it is set free.
+template <int Dim>
+void set_moving(RigidMotion<Dim>& motion, const Vec<Dim>& velocity, const Vec<3>& spin);
+
 /// Gives a body at rest or in motion a mass: what it keeps starts from its present velocity and spin.
 template <int Dim>
 void set_free(RigidMotion<Dim>& motion, double mass, const Vec<3>& inertia);
 
 /// Moves a body by one step. A free one takes what its contacts have given it since the start: impulse [N s],
 /// moment about the origin [N m s], work [J]; its momentum is exact, its place goes with the mean of the old
-/// and the new velocity. Its energy is what it was given: the difference to its kinetic energy is the error
-/// of the step (docs/theory.md, rigid bodies).
+/// and the new velocity. The next step expects the same change of velocity again, and works with its mean:
+/// second order in the step. The body's energy is what it was given: the difference to its kinetic energy is
+/// the error of that (docs/theory.md, rigid bodies).
 template <int Dim>
 void advance(RigidMotion<Dim>& motion, double dt, const Vec<Dim>& impulse, const Vec<3>& moment, double work);
 

@@ -13,8 +13,8 @@ constexpr double slip = 1e-5;     // of the bulk speed of sound
 constexpr double opposed = -0.7;  // cosine between normals of surfaces that face each other
 
 template <int Dim>
-Vec<Dim> velocity_of(const Body<Dim>& body, int slot, int cell) {
-  if (body.rigid) return body.rigid->velocity;
+Vec<Dim> velocity_of(const Body<Dim>& body, int slot, int cell, const Vec<Dim>& x) {
+  if (body.rigid) return velocity_at(*body.rigid, x);
   const BodyBlock<Dim>& b = body.at(slot);
   const int at = b.geometry.index.empty() ? -1 : b.geometry.index[static_cast<std::size_t>(cell)];
   const bool known = at >= 0 && static_cast<std::size_t>(at) < b.walls.size();
@@ -22,12 +22,12 @@ Vec<Dim> velocity_of(const Body<Dim>& body, int slot, int cell) {
 }
 
 template <int Dim>
-bool slides(const State<Dim>& state, int slot, int m, int cell, const Wall<Dim>& wall) {
+bool slides(const State<Dim>& state, int slot, int m, const CutCell<Dim>& at, const Wall<Dim>& wall) {
   const double limit = slip * bulk_sound_speed(state.bodies[static_cast<std::size_t>(m)].material);
   for (std::uint32_t bits = wall.partners; bits != 0; bits &= bits - 1) {
     const Body<Dim>& partner = state.bodies[static_cast<std::size_t>(__builtin_ctz(bits))];
     if (!partner.present(slot)) continue;
-    const Vec<Dim> jump = wall.face_velocity - velocity_of(partner, slot, cell);
+    const Vec<Dim> jump = wall.face_velocity - velocity_of(partner, slot, at.cell, at.point);
     if (norm(jump - dot(jump, wall.normal) * wall.normal) > limit) return true;
   }
   return false;
@@ -67,7 +67,9 @@ SurfaceContact surface_contact(const State<Dim>& state, int slot, int m, int cel
                               : nullptr;
   if (wall) c.traction = wall->traction;
   if (wall && wall->partners != 0)
-    c.state = slides(state, slot, m, cell, *wall) ? ContactState::slipping : ContactState::touching;
+    c.state = slides(state, slot, m, b.geometry.cuts[static_cast<std::size_t>(at)], *wall)
+                  ? ContactState::slipping
+                  : ContactState::touching;
   const Vec<Dim> n = slope_in_block(b.phi, layout, layout.index(cell), dx);
   double nearest = far_cells * dx;
   for (int q = 0; q < state.count(); ++q) {

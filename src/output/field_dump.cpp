@@ -88,7 +88,8 @@ struct CellView {
     const double far = far_cells * state.grid().dx;
     if (body.present(slot)) return std::clamp(body.at(slot).phi[k], -far, far);
     if (!body.rigid) return far;
-    return std::clamp(distance_at(*body.rigid, pose_after(*body.rigid, 0), state.grid().centre(i)), -far, far);
+    return std::clamp(distance_at(*body.rigid, pose_after(*body.rigid, 0), state.grid().centre(i)), -far,
+                      far);
   }
   bool shown() const {
     for (const Body<Dim>& body : state.bodies)

@@ -135,8 +135,9 @@ RigidMotion<Dim> rigid_motion(const Grid<Dim>& grid, const config::Body& from,
                               const std::function<double(const Vec<Dim>&)>& distance) {
   RigidMotion<Dim> m;
   m.distance = distance;
-  m.velocity = first_components<Dim>(from.velocity);
-  for (int d = 0; d < 3; ++d) m.spin[d] = from.spin[static_cast<std::size_t>(d)];
+  Vec<3> spin;
+  for (int d = 0; d < 3; ++d) spin[d] = from.spin[static_cast<std::size_t>(d)];
+  set_moving(m, first_components<Dim>(from.velocity), spin);
   m.start_centre = m.centre = first_components<Dim>(from.spin_centre);
   if (!(from.mass > 0)) return m;
   check_whole(grid, from.name, distance);
@@ -227,7 +228,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
       if (!c.bodies[m].rigid && distance[m](middle) < half) w += 20;
     return w;
   };
-  State<Dim> state{Mesh<Dim>(grid, world, weight), {}, {}};
+  State<Dim> state{Mesh<Dim>(grid, world, weight), {}, {}, {}};
   for (std::size_t m = 0; m < c.bodies.size(); ++m) {
     Body<Dim> body;
     body.name = c.bodies[m].name;

@@ -66,7 +66,9 @@ TEST(Friction, ARigidWallIsTheLimitOfAStiffBody) {
 /// Mirrored bodies: the traction on the one is the opposite of that on the other.
 TEST(Friction, ExchangingTheBodiesTurnsTheTraction) {
   const ShearSide<2> a{Vec<2>{{0, 7}}, Vec<2>{{0, 1e7}}, za}, b{Vec<2>{{0, -2}}, Vec<2>{{0, -2e7}}, zb};
-  const auto reversed = [](const ShearSide<2>& s) { return ShearSide<2>{s.sliding, -s.traction, s.impedance}; };
+  const auto reversed = [](const ShearSide<2>& s) {
+    return ShearSide<2>{s.sliding, -s.traction, s.impedance};
+  };
   const Grip<2> one = grip<2>(a, b, 3e7), other = grip<2>(reversed(b), reversed(a), 3e7);
   EXPECT_NEAR(one.traction[1], -other.traction[1], 1e-3);
   EXPECT_NEAR(one.first_velocity[1], other.second_velocity[1], 1e-9);

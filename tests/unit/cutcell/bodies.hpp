@@ -37,7 +37,7 @@ Vec<Dim> middle_of(const Grid<Dim>& grid) {
 template <int Dim>
 State<Dim> make_test_state(const Grid<Dim>& grid, const std::vector<Distance<Dim>>& shapes,
                            const Material& material = samples::copper()) {
-  State<Dim> state{make_test_mesh(grid), {}, {}};
+  State<Dim> state{make_test_mesh(grid), {}, {}, {}};
   const double far = far_cells * grid.dx;
   for (const auto& shape : shapes) {
     Body<Dim> body;
@@ -57,6 +57,7 @@ State<Dim> make_test_state(const Grid<Dim>& grid, const std::vector<Distance<Dim
     state.bodies.push_back(std::move(body));
   }
   const auto n = state.bodies.size();
+  state.contact.resize(n * (n - 1) / 2);
   state.ledger.resize(static_cast<std::size_t>(state.mesh.local()));
   for (auto& l : state.ledger) {
     l.pairs.resize(n * (n - 1) / 2);

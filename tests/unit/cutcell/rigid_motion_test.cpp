@@ -17,8 +17,7 @@ RigidMotion<2> plate() {
 
 TEST(RigidMotion, APrescribedBodyKeepsVelocityAndSpin) {
   RigidMotion<2> m = plate();
-  m.velocity = {{2, 0}};
-  m.spin = {{0, 0, std::numbers::pi / 2}};
+  set_moving(m, {{2, 0}}, {{0, 0, std::numbers::pi / 2}});
   for (int step = 0; step < 10; ++step) advance(m, 0.1, Vec<2>{{1e6, 0}}, {}, 5.0);
   EXPECT_NEAR(m.centre[0], 2, 1e-12);
   const RigidPose<2> now = pose_after(m, 0);
@@ -31,16 +30,16 @@ TEST(RigidMotion, APrescribedBodyKeepsVelocityAndSpin) {
 
 TEST(RigidMotion, PoseAheadIsWhereThePrescribedBodyGoes) {
   RigidMotion<2> m = plate();
-  m.velocity = {{2, -1}};
-  m.spin = {{0, 0, 0.3}};
+  set_moving(m, {{2, -1}}, {{0, 0, 0.3}});
   const RigidPose<2> ahead = pose_after(m, 0.5);
   advance(m, 0.5, {}, {}, 0);
-  EXPECT_NEAR(distance_at(m, ahead, Vec<2>{{0.3, 0.7}}), distance_at(m, pose_after(m, 0), Vec<2>{{0.3, 0.7}}), 1e-13);
+  EXPECT_NEAR(distance_at(m, ahead, Vec<2>{{0.3, 0.7}}), distance_at(m, pose_after(m, 0), Vec<2>{{0.3, 0.7}}),
+              1e-13);
 }
 
 TEST(RigidMotion, AFreeBodyTakesImpulseAndMoment) {
   RigidMotion<2> m = plate();
-  m.velocity = {{1, 0}};
+  set_moving(m, {{1, 0}}, {});
   set_free(m, 4, Vec<3>{{0, 0, 2}});
   EXPECT_NEAR(m.mass->energy, 2, 1e-12);
   const double dt = 1e-6;
@@ -55,7 +54,7 @@ TEST(RigidMotion, AFreeBodyTakesImpulseAndMoment) {
 TEST(RigidMotion, WithoutInertiaItDoesNotTurn) {
   RigidMotion<3> m;
   m.distance = [](const Vec<3>& x) { return x[0]; };
-  m.spin = {{1, 2, 3}};
+  set_moving(m, {}, {{1, 2, 3}});
   set_free(m, 1, Vec<3>{});
   advance(m, 0.1, {}, Vec<3>{{1, 1, 1}}, 0);
   EXPECT_EQ(norm(m.spin), 0);
@@ -65,7 +64,7 @@ TEST(RigidMotion, WithoutInertiaItDoesNotTurn) {
 TEST(RigidMotion, ATopKeepsItsAngularMomentum) {
   RigidMotion<3> m;
   m.distance = [](const Vec<3>& x) { return x[0]; };
-  m.spin = {{1, 0.1, 3}};
+  set_moving(m, {}, {{1, 0.1, 3}});
   set_free(m, 1, Vec<3>{{1, 2, 3}});
   const double energy = kinetic_energy(m);
   for (int step = 0; step < 2000; ++step) advance(m, 1e-3, {}, {}, 0);

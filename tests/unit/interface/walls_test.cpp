@@ -204,8 +204,8 @@ TYPED_TEST(Walls, ARigidWallStopsABody) {
   const double speed = 50, wall_speed = 10;
   auto p =
       this->facing(0, moving<dim>(this->material, speed * this->normal), moving<dim>(this->material, {}));
-  p.state.bodies[1].rigid =
-      RigidMotion<dim>{half_space(this->middle, -this->normal), wall_speed * this->normal};
+  p.state.bodies[1].rigid = RigidMotion<dim>{half_space(this->middle, -this->normal)};
+  set_moving(*p.state.bodies[1].rigid, wall_speed * this->normal, {});
   p.prepare();
   find_all(p, this->dt);
   p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>& cut, const Index<dim>& i) {

@@ -179,7 +179,8 @@ TYPED_TEST(Following, RigidBodiesAreWhereTheirMotionPutsThem) {
   auto& state = this->state;
   Vec<dim> u;
   u[0] = 20;
-  state.bodies[0].rigid = RigidMotion<dim>{ball(middle_of(this->grid), 6.3 * this->grid.dx), u};
+  state.bodies[0].rigid = RigidMotion<dim>{ball(middle_of(this->grid), 6.3 * this->grid.dx)};
+  set_moving(*state.bodies[0].rigid, u, {});
   const double time = 2.6 * this->grid.dx / u[0];
   for (int s = 0; s < state.mesh.local(); ++s) place_rigid(state, state.bodies[0], s, time, PhiAt::midstep);
   for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
