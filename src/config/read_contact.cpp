@@ -17,7 +17,7 @@ ContactChoice read_choice(const Record& record, const char* mode_key, Diagnostic
   using enum ContactChoice::Mode;
   choice.mode = mode == "bonded" ? bonded : mode == "friction" ? friction : separable;
   choice.friction = record.has("friction") ? record.number("friction") : 0;
-  if (record.has("friction") && record.good(mode_key) && choice.mode != friction)
+  if (record.has("friction") && (record.good(mode_key) || !record.has(mode_key)) && choice.mode != friction)
     out.error(record.key_place("friction"),
               fmt::format("'friction' means nothing for {} = \"{}\"", mode_key, mode),
               fmt::format("write {} = \"friction\", or take it out", mode_key));

@@ -92,8 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{9, "end = \"10 us\"\ncfl = 1.5", 10, 7, "'cfl' must be at most 1", ""},
         Mistake{9, "end = \"10 us\"\n[method]\nscheme = \"seed\"", 11, 10, "not available in this version",
                 "conservative"},
-        Mistake{9, "end = \"10 us\"\n[contact]\ndefault = \"bonded\"", 11, 11,
-                "not available in this version", "separable"},
+        Mistake{9, "end = \"10 us\"\n[contact]\ndefault = \"bondd\"", 11, 11, "'bondd'", "bonded"},
         Mistake{9, "end = \"10 us\"\n[metod]", 10, 2, "unknown key 'metod'", "did you mean 'method'?"},
         Mistake{9, "end = \"10 us\"\nend = \"11 us\"", 10, 7, "given twice", ""}));
 
