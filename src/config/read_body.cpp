@@ -139,18 +139,14 @@ void check_inside(const Gauge& gauge, const Place& place, const Domain& domain, 
 
 /// A unit vector; in 1d there is only one direction.
 Vector read_direction(const Record& record, const CaseReading& in) {
-  Vector v = record.vector3("direction");
-  const double size = std::hypot(v[0], v[1], v[2]);
+  const Vector v = record.vector3("direction");
   if (in.geometry == Geometry::line)
     in.out.error(record.key_place("direction"), "'direction' means nothing for geometry \"1d\"",
                  "take it out: force.x and impulse.x say it all");
-  else if (!(size > 0))
+  else if (v == Vector{})
     in.out.error(record.key_place("direction"), "'direction' has no direction: all its components are 0",
                  "e.g. direction = { x = 1, y = 1 }");
-  const bool is_unit = std::abs(size - 1) < 1e-14;  // as written by a resolved case: to be read back equal
-  if (size > 0 && !is_unit)
-    for (double& c : v) c /= size;
-  return v;
+  return normalised(v);
 }
 
 Gauge read_gauge(const Node& node, const std::vector<std::string>& names, const Domain& domain,
