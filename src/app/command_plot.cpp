@@ -32,18 +32,19 @@ double factor(const CsvTable& table, const std::string& column, const std::strin
   return own.empty() || unit.empty() || own == unit ? 1 : config::unit_size(own) / config::unit_size(unit);
 }
 
-Series curve(const CsvTable& table, const std::string& column, const std::string& unit, std::string label) {
+Series curve(const CsvTable& table, const std::string& column, const std::string& over,
+             const std::string& unit, std::string label) {
   Series s{std::move(label), table.numbers(table.columns.front()), table.numbers(column)};
-  for (double& t : s.x) t *= factor(table, table.columns.front(), "us");
+  for (double& t : s.x) t *= factor(table, table.columns.front(), over);
   for (double& y : s.y) y *= factor(table, column, unit);
   return s;
 }
 
-Series reference_curve(const std::string& text, const std::string& unit) {
+Series reference_curve(const std::string& text, const std::string& over, const std::string& unit) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos)
     throw InputError(fmt::format("'{}' names no column\n   = help: write --reference FILE.csv:COLUMN", text));
-  Series s = curve(read_csv(text.substr(0, colon)), text.substr(colon + 1), unit, "reference");
+  Series s = curve(read_csv(text.substr(0, colon)), text.substr(colon + 1), over, unit, "reference");
   s.style = kReferenceStyle;
   return s;
 }
@@ -62,10 +63,11 @@ int plot_gauge(const PlotOptions& o, const std::string& name) {
   const std::string column = table.columns[o.what.size() > 1 ? table.index(o.what[1]) : 1];
   LineChart chart;
   chart.title = fmt::format("{}, {}", fs::path(o.folder).lexically_normal().filename().string(), name);
-  chart.x_title = "time [µs]";
+  const std::string over = table.unit(table.columns.front());
+  chart.x_title = over == "us" ? "time [µs]" : table.columns.front();
   chart.y_title = column;
-  if (!o.reference.empty()) chart.series.push_back(reference_curve(o.reference, table.unit(column)));
-  chart.series.push_back(curve(table, column, table.unit(column), name));
+  if (!o.reference.empty()) chart.series.push_back(reference_curve(o.reference, over, table.unit(column)));
+  chart.series.push_back(curve(table, column, over, table.unit(column), name));
   // A reference may go on for longer than the run.
   if (!o.reference.empty() && !chart.series.back().x.empty())
     chart.x_range = {chart.series.back().x.front(), chart.series.back().x.back()};

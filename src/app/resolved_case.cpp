@@ -200,16 +200,24 @@ class Writer {
   void add(const Gauge& g) {
     using enum Gauge::Kind;
     section("gauge." + g.name);
-    constexpr const char* kinds[] = {"surface-velocity", "point", "body", "contact"};
+    constexpr const char* kinds[] = {"surface-velocity", "point",      "body", "contact", "bar",
+                                     "attitude",         "peak-stress"};
     line("kind", quoted(kinds[static_cast<int>(g.kind)]));
     if (g.kind == contact)
       line("pair", quoted(g.pair[0] + '-' + g.pair[1]));
     else
       line("body", quoted(g.body));
-    if (g.kind == surface_velocity || g.kind == point || g.radius > 0) line("at", vector(g.at, "m"));
+    if (g.kind == surface_velocity || g.kind == point || g.kind == peak_stress || g.radius > 0)
+      line("at", vector(g.at, "m"));
     if (g.radius > 0) line("radius", quantity(g.radius, "m"));
     if (g.direction != Vector{}) line("direction", vector(g.direction, "1"));
-    line("every", quantity(g.every, "s"));
+    if (g.kind == bar) line("wall", quoted(g.wall));
+    if (g.kind == peak_stress) {
+      line("to", vector(g.to, "m"));
+      line("stations", std::to_string(g.stations));
+    } else {
+      line("every", quantity(g.every, "s"));
+    }
   }
 
   /// The unit of an expectation is any, so its values stay in the unit that they were written in.

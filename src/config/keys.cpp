@@ -285,25 +285,38 @@ std::vector<Section> shapes() {
 }
 
 Section gauge() {
-  return {"gauge.*",
-          "A record over time, written to gauges/NAME.csv.",
-          {{.name = "kind",
-            .type = Type::choice,
-            .required = true,
-            .doc = "what it records",
-            .choices = {"surface-velocity", "point", "body", "contact"},
-            .example = R"("surface-velocity")"},
-           {.name = "body", .doc = "the body it watches", .example = R"("target")"},
-           {.name = "pair", .doc = "the two bodies of a contact gauge", .example = R"("flyer-target")"},
-           position("at", "where it is (surface-velocity, point), or the middle of what counts (contact)"),
-           {.name = "radius",
-            .type = Type::quantity,
-            .unit = "m",
-            .positive = true,
-            .doc = "only the contact within this distance of `at` counts, so that its rim can be left out",
-            .example = R"("2 mm")"},
-           direction("direction", "force and impulse are also given along this direction (contact)", false),
-           every("time between two records; 0: every step")}};
+  return {
+      "gauge.*",
+      "A record over time, written to gauges/NAME.csv.",
+      {{.name = "kind",
+        .type = Type::choice,
+        .required = true,
+        .doc = "what it records",
+        .choices = {"surface-velocity", "point", "body", "contact", "bar", "attitude", "peak-stress"},
+        .example = R"("surface-velocity")"},
+       {.name = "body", .doc = "the body it watches", .example = R"("target")"},
+       {.name = "pair", .doc = "the two bodies of a contact gauge", .example = R"("flyer-target")"},
+       position(
+           "at",
+           "where it is (surface-velocity, point), the middle of what counts (contact), or the begin of the "
+           "line (peak-stress)"),
+       {.name = "radius",
+        .type = Type::quantity,
+        .unit = "m",
+        .positive = true,
+        .doc = "only the contact within this distance of `at` counts, so that its rim can be left out",
+        .example = R"("2 mm")"},
+       direction("direction", "force and impulse are also given along this direction (contact)", false),
+       every("time between two records; 0: every step"),
+       {.name = "wall", .doc = "the body that the foot of a bar stands on", .example = R"("wall")"},
+       position("to", "end of the line (peak-stress)"),
+       {.name = "stations",
+        .type = Type::integer,
+        .minimum = 1,
+        .maximum = 10000,
+        .default_text = "100",
+        .doc = "points on the line that ride with the matter (peak-stress)",
+        .example = "100"}}};
 }
 
 std::vector<Section> settings() {

@@ -258,5 +258,49 @@ class Study(Program):
         self.assertFalse((self.folder / "study").exists())
 
 
+class Verify(Program):
+    def expecting(self, value):
+        folder = self.folder / "mine"
+        folder.mkdir(exist_ok=True)
+        text = FLYER.read_text().replace('"0.05 mm"', '"0.2 mm"')
+        (folder / "case.toml").write_text(text)
+        (folder / "expected.toml").write_text(
+            '[expect]\n"gauge.impact.traction.mean@0.2us..0.5us" = { value = "%s", within = "1 %%", source = "theory" }\n'
+            '"contact.flyer-target.recloses" = false\n' % value)
+        return folder
+
+    def test_one_table_in_three_forms(self):
+        out = self.folder / "out"
+        self.expect(recoil("verify", self.expecting("-5.091 GPa"), "-o", out, "--write", self.folder / "table.md"), 0,
+                    "1 cases, 2 checks, 1 against references, 0 failed")
+        table = (self.folder / "table.md").read_text()
+        self.assertIn("| -5.091 GPa | theory |", table)
+        self.assertEqual(table, (out / "verify.md").read_text())
+        with open(out / "verify.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["pass"] for row in rows], ["true", "true"])
+        self.assertEqual(json.loads((out / "verify.json").read_text())["references"], 1)
+
+    def test_a_failure_is_exit_5_and_runs_are_used_again(self):
+        out = self.folder / "out"
+        case = self.expecting("-6 GPa")
+        self.expect(recoil("verify", case, "-o", out), 5, "**FAIL**", "1 of 2 FAILED")
+        summary = out / "mine" / "summary.json"
+        before = summary.stat().st_mtime_ns
+        self.expect(recoil("verify", case, "-o", out, "--reuse"), 5, "1 of 2 FAILED")
+        self.assertEqual(summary.stat().st_mtime_ns, before)
+        self.expect(recoil("verify", self.expecting("-5.091 GPa"), "-o", out, "--reuse"), 0)
+        self.assertNotEqual(summary.stat().st_mtime_ns, before)
+
+    def test_mistakes_come_before_the_first_run(self):
+        self.expect(recoil("verify", "flyer_al_cuu", "-o", self.folder / "out"), 2, "did you mean 'flyer_al_cu'")
+        self.expect(recoil("verify", self.case(), "-o", self.folder / "out"), 2, "expects nothing", "expected.toml")
+        self.expect(recoil("verify", "--quick", "flyer_al_cu"), 2, "--quick chooses")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_lists_the_cases(self):
+        self.expect(recoil("verify", "--list"), 0, "quick", "flyer_al_cu", "taylor_copper")
+
+
 if __name__ == "__main__":
     unittest.main()
