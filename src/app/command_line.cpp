@@ -99,6 +99,16 @@ struct Commands {
     c->add_option("--reference", plot.reference, "curve to compare a gauge with")->type_name("CSV:COLUMN");
     c->add_option("--at", plot.at, "time of the field; without it the last")->type_name("TIME");
     c->add_option("--slice", plot.slice, "plane of a 3d field")->type_name("z=PLACE");
+    c->add_option("--with", plot.others, "another run whose same gauge is drawn, too; may be repeated")
+        ->type_name("DIR")
+        ->expected(1)
+        ->take_all();
+    c->add_option("--window", plot.window, "part of a field to draw: r=0mm..9mm,z=0mm..12mm")
+        ->type_name("WINDOW");
+    c->add_option("--outline", plot.outline,
+                  "outline to draw over a field: a table of time and two coordinates")
+        ->type_name("CSV");
+    c->add_flag("--xt", plot.over_time, "a field of a 1d run over place and time (x-t diagram)");
   }
 
   void add_study() {

@@ -49,6 +49,11 @@ Series reference_curve(const std::string& text, const std::string& over, const s
   return s;
 }
 
+/// Of one run the gauge is named, of several the run.
+std::string label_of(const fs::path& folder, const PlotOptions& o, const std::string& gauge) {
+  return o.others.empty() ? gauge : fs::absolute(folder).lexically_normal().filename().string();
+}
+
 int plot_gauge(const PlotOptions& o, const std::string& name) {
   const fs::path file = fs::path(o.folder) / "gauges" / (name + ".csv");
   const std::vector<std::string> names = gauges_in(o.folder);
@@ -67,10 +72,14 @@ int plot_gauge(const PlotOptions& o, const std::string& name) {
   chart.x_title = over == "us" ? "time [µs]" : table.columns.front();
   chart.y_title = column;
   if (!o.reference.empty()) chart.series.push_back(reference_curve(o.reference, over, table.unit(column)));
-  chart.series.push_back(curve(table, column, over, table.unit(column), name));
+  chart.series.push_back(curve(table, column, over, table.unit(column), label_of(o.folder, o, name)));
+  for (const std::string& other : o.others) {
+    const CsvTable more = read_csv(fs::path(other) / "gauges" / (name + ".csv"));
+    chart.series.push_back(curve(more, column, over, table.unit(column), label_of(other, o, name)));
+  }
   // A reference may go on for longer than the run.
-  if (!o.reference.empty() && !chart.series.back().x.empty())
-    chart.x_range = {chart.series.back().x.front(), chart.series.back().x.back()};
+  const std::vector<double>& span = chart.series[o.reference.empty() ? 0 : 1].x;
+  if (!o.reference.empty() && !span.empty()) chart.x_range = {span.front(), span.back()};
   const fs::path png = o.file.empty() ? fs::path(o.folder) / (name + ".png") : fs::path(o.file);
   write_png(png, line_chart(chart));
   fmt::print("{}\n", png.string());
@@ -89,7 +98,7 @@ int plot(const PlotOptions& given) {
   const std::string& what = o.what.front();
   if (what.starts_with("gauge.")) return plot_gauge(o, what.substr(6));
   if (fs::exists(fs::path(o.folder) / "gauges" / (what + ".csv"))) return plot_gauge(o, what);
-  return plot_field(o);
+  return o.over_time ? plot_field_over_time(o) : plot_field(o);
 }
 
 }  // namespace recoil::app

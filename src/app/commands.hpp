@@ -30,11 +30,15 @@ int check(const CheckOptions& options);
 
 struct PlotOptions {
   std::string folder;
-  std::vector<std::string> what;  // gauge.NAME [COLUMN], or FIELD; a name ending in .png is `file`
-  std::string file;               // PNG
-  std::string reference;          // CSV:COLUMN
-  std::string at;                 // time of the field
-  std::string slice;              // "z=0mm"
+  std::vector<std::string> what;    // gauge.NAME [COLUMN], or FIELD; a name ending in .png is `file`
+  std::string file;                 // PNG
+  std::string reference;            // CSV:COLUMN
+  std::string at;                   // time of the field
+  std::string slice;                // "z=0mm"
+  std::vector<std::string> others;  // folders of runs whose same gauge is drawn, too
+  std::string outline;              // CSV with time and two coordinates, drawn over a field
+  std::string window;               // "r=0mm..9mm,z=0mm..12mm": the part of a field to draw
+  bool over_time = false;           // a field of a 1d run over place and time
 };
 int plot(const PlotOptions& options);
 

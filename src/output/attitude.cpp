@@ -108,19 +108,21 @@ void collect_attitude(const State<Dim>& state, int body, const AttitudeFrame& f,
                       OrderedSums& sums) {
   std::span<double> row;
   long last = -1;
-  for_pieces(state, body, [&](long order, double m, const Plane& at, const Plane&) {
+  for_pieces(state, body, [&](long order, double m, const Plane& at, const Plane& p) {
     const Plane r{at[0] - f.centre[0], at[1] - f.centre[1]};
     const double ahead = r[0] * f.axis[0] + r[1] * f.axis[1];
     if (!(ahead > 0)) return;
     if (order != last) row = sums.add(item, order);
     last = order;
     add_part(row.first(part_sums), m, r);
-    if (ahead > f.length / 6) add_part(row.subspan(part_sums), m, r);
+    if (!(ahead > f.length / 6)) return;
+    add_part(row.subspan(part_sums, part_sums), m, r);
+    row[2 * part_sums] += p[0], row[2 * part_sums + 1] += p[1];
   });
 }
 
 Attitude read_attitude(const AttitudeFrame& f, std::span<const double> total) {
-  if (!(f.mass > 0)) return {nowhere, nowhere, nowhere, nowhere, nowhere, nowhere};
+  if (!(f.mass > 0)) return {nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere};
   const auto part = [&](std::size_t first) {
     const auto sums = total.subspan(first, part_sums);
     return sums[mass] > 0 ? angle_of(towards(Spread(sums).angle(), f.axis)) : nowhere;
@@ -131,6 +133,8 @@ Attitude read_attitude(const AttitudeFrame& f, std::span<const double> total) {
   a.front_third = part(part_sums);
   a.course = angle_of(f.velocity);
   a.speed = std::hypot(f.velocity[0], f.velocity[1]);
+  a.head_x = total[2 * part_sums] / total[part_sums + mass];
+  a.head_y = total[2 * part_sums + 1] / total[part_sums + mass];
   a.spin = f.spin;
   return a;
 }

@@ -17,7 +17,8 @@ struct Attitude {
   double front_third = 0;  // of the axis of the foremost third, by the length of a rod with the same moments
   double course = 0;       // direction of the velocity of the centre of mass
   double speed = 0;        // m/s, of the centre of mass
-  double spin = 0;         // rad/s, angular momentum over moment of inertia, about the centre of mass
+  double head_x = 0, head_y = 0;  // m/s, mean velocity of the foremost third
+  double spin = 0;                // rad/s, angular momentum over moment of inertia, about the centre of mass
 };
 
 /// What the parts ahead are cut by; the same on all ranks.
@@ -28,8 +29,9 @@ struct AttitudeFrame {
   double spin = 0;
 };
 
-/// Sums that the parts ahead take: mass, moments and second moments of the half and of the third.
-inline constexpr std::size_t attitude_sums = 12;
+/// Sums that the parts ahead take: mass, moments and second moments of the half and of the third, momentum of
+/// the third.
+inline constexpr std::size_t attitude_sums = 14;
 
 /// Centre, axis and spin of the whole body. Of the two directions of the axis that of the motion counts, or
 /// +x of a body at rest. Collective.

@@ -97,7 +97,7 @@ std::vector<SeriesColumn> columns_of(Kind kind, const RunUnits& units, bool dire
     case Kind::attitude:
       for (const char* name : {"inclination", "inclination.front-half", "inclination.front-third", "course"})
         list.one(name, "deg", 180 / std::numbers::pi);
-      list.one("speed", "m/s");
+      for (const char* name : {"speed", "head.x", "head.y"}) list.one(name, "m/s");
       list.one("spin", "rad/s");
       break;
     case Kind::peak_stress:
@@ -329,7 +329,7 @@ void Gauges<Dim>::read_shape(Gauge& g, const OrderedSums& sums) {
             r.contact_radius, r.lift_off,    r.plastic_strain, r.axis_plastic_strain};
   } else {
     const Attitude a = read_attitude(g.frame, sums.total(g.item));
-    row_ = {a.inclination, a.front_half, a.front_third, a.course, a.speed, a.spin};
+    row_ = {a.inclination, a.front_half, a.front_third, a.course, a.speed, a.head_x, a.head_y, a.spin};
   }
 }
 

@@ -41,7 +41,8 @@ namespace recoil {
 ///                     work are what was exchanged, to the last bit.
 ///   bar               length, foot-radius, radius, volume-radius, contact-radius, lift-off, plastic-strain,
 ///                     axis-plastic-strain: see BarReading
-///   attitude          inclination, inclination.front-half, inclination.front-third, course, speed, spin: see
+///   attitude          inclination, inclination.front-half, inclination.front-third, course, speed,
+///                     head.x, head.y, spin: see
 ///                     Attitude
 ///   peak-stress       not over time but over the distance from its begin: stress (largest compressive), time
 ///                     (of it), of points that ride with the matter; the file is written anew at each flush

@@ -127,7 +127,8 @@ std::string si_unit(const SeriesColumn& column) {
 /// The largest or smallest value, of the whole record or of a span of time.
 double extreme(const Request& r, const Curve& curve, const SeriesColumn& over) {
   if (curve.t.empty()) return nothing;
-  const Window w = r.argument.empty() ? Window{curve.t.front(), curve.t.back()} : parse_window(r, r.argument, over);
+  const Window w =
+      r.argument.empty() ? Window{curve.t.front(), curve.t.back()} : parse_window(r, r.argument, over);
   if (curve.t.size() == 1 && r.argument.empty()) return curve.y.front();
   return r.reduction == "max" ? most_over(curve, w.from, w.to) : least_over(curve, w.from, w.to);
 }

@@ -57,6 +57,9 @@ spin-centre = { x = "0 mm", y = "0 mm" }
   EXPECT_NEAR(a.course, -50 * degree, 1e-6);
   EXPECT_NEAR(a.speed, 100, 1e-6);
   EXPECT_NEAR(a.spin, 3000, 3);
+  // The foremost third is 4 mm ahead of the centre, at -20 degrees, and goes round it.
+  EXPECT_NEAR(a.head_x, 100 * std::cos(50 * degree) + 3000 * 4e-3 * std::sin(20 * degree), 0.1);
+  EXPECT_NEAR(a.head_y, -100 * std::sin(50 * degree) + 3000 * 4e-3 * std::cos(20 * degree), 0.1);
 }
 
 TEST(Attitude, FrontIsWhereItGoes) {
