@@ -111,13 +111,18 @@ void collect_attitude(const State<Dim>& state, int body, const AttitudeFrame& f,
   for_pieces(state, body, [&](long order, double m, const Plane& at, const Plane& p) {
     const Plane r{at[0] - f.centre[0], at[1] - f.centre[1]};
     const double ahead = r[0] * f.axis[0] + r[1] * f.axis[1];
-    if (!(ahead > 0)) return;
+    // A piece counts by its part beyond the cut, so that nothing jumps when it passes.
+    const auto beyond = [&](double from) {
+      return std::clamp((ahead - from) / state.grid().dx + 0.5, 0.0, 1.0);
+    };
+    const double half = beyond(0), third = beyond(f.length / 6);
+    if (!(half > 0)) return;
     if (order != last) row = sums.add(item, order);
     last = order;
-    add_part(row.first(part_sums), m, r);
-    if (!(ahead > f.length / 6)) return;
-    add_part(row.subspan(part_sums, part_sums), m, r);
-    row[2 * part_sums] += p[0], row[2 * part_sums + 1] += p[1];
+    add_part(row.first(part_sums), half * m, r);
+    if (!(third > 0)) return;
+    add_part(row.subspan(part_sums, part_sums), third * m, r);
+    row[2 * part_sums] += third * p[0], row[2 * part_sums + 1] += third * p[1];
   });
 }
 
