@@ -67,7 +67,9 @@ int plot_gauge(const PlotOptions& o, const std::string& name) {
     throw InputError(fmt::format("{} holds no column but the time", file.string()));
   const std::string column = table.columns[o.what.size() > 1 ? table.index(o.what[1]) : 1];
   LineChart chart;
-  chart.title = fmt::format("{}, {}", fs::path(o.folder).lexically_normal().filename().string(), name);
+  chart.title = o.others.empty()
+                    ? fmt::format("{}, {}", fs::path(o.folder).lexically_normal().filename().string(), name)
+                    : name;
   const std::string over = table.unit(table.columns.front());
   chart.x_title = over == "us" ? "time [µs]" : table.columns.front();
   chart.y_title = column;

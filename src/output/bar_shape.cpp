@@ -107,6 +107,11 @@ struct Underside {
     }
     return last;
   }
+  double at_rim() const {
+    for (std::size_t k = minus_gap.size(); k-- > 0;)
+      if (known(k)) return gap(k);
+    return nowhere;
+  }
   /// Outermost place at which the gap is that of contact.
   double contact(double foot_radius) const {
     const double limit = touching * dx;
@@ -159,7 +164,7 @@ BarReading read_bar(const Grid<Dim>& grid, BarWatch& bar, std::span<const double
   BarReading r;
   const double highest = total[at.highest], lowest = -total[at.minus_lowest];
   if (!std::isfinite(highest))
-    return {nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere};
+    return {nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere};
   r.length = bar.foot_low ? total[at.axis_highest] - lowest : highest + total[at.minus_axis_lowest];
   r.volume_radius = grid.axisymmetric ? 0 : nowhere;
   const auto place = [&](std::size_t row) {
@@ -179,6 +184,7 @@ BarReading read_bar(const Grid<Dim>& grid, BarWatch& bar, std::span<const double
   const Underside foot{grid.dx, total.subspan(at.minus_gap, at.rings)};
   r.contact_radius = foot.contact(r.foot_radius);
   r.lift_off = foot.at(rim_place * r.foot_radius);
+  r.rim_lift_off = foot.at_rim();
   r.plastic_strain = std::max(total[at.strain], 0.0);
   r.axis_plastic_strain = std::max(total[at.axis_strain], 0.0);
   return r;

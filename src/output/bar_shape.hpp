@@ -25,6 +25,7 @@ struct BarReading {
   double lift_off = 0;             // gap between foot and wall at 95 % of the foot's radius, at most 8 dx
   double plastic_strain = 0;       // largest, in pieces of at least 0.3 of a cell
   double axis_plastic_strain = 0;  // the same within dx of the axis
+  double rim_lift_off = 0;         // gap under the outermost cells of the foot: about the height of its edge
 };
 
 /// Declares what a bar takes.

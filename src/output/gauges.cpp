@@ -93,6 +93,7 @@ std::vector<SeriesColumn> columns_of(Kind kind, const RunUnits& units, bool dire
            {"length", "foot-radius", "radius", "volume-radius", "contact-radius", "lift-off"})
         list.one(name, "mm", 1e3);
       for (const char* name : {"plastic-strain", "axis-plastic-strain"}) list.one(name, "1");
+      list.one("rim-lift-off", "mm", 1e3);
       break;
     case Kind::attitude:
       for (const char* name : {"inclination", "inclination.front-half", "inclination.front-third", "course"})
@@ -325,8 +326,9 @@ template <int Dim>
 void Gauges<Dim>::read_shape(Gauge& g, const OrderedSums& sums) {
   if (g.kind == Kind::bar) {
     const BarReading r = read_bar(grid_, g.bar, sums.total(g.item));
-    row_ = {r.length,         r.foot_radius, r.radius,         r.volume_radius,
-            r.contact_radius, r.lift_off,    r.plastic_strain, r.axis_plastic_strain};
+    row_ = {r.length,         r.foot_radius,         r.radius,
+            r.volume_radius,  r.contact_radius,      r.lift_off,
+            r.plastic_strain, r.axis_plastic_strain, r.rim_lift_off};
   } else {
     const Attitude a = read_attitude(g.frame, sums.total(g.item));
     row_ = {a.inclination, a.front_half, a.front_third, a.course, a.speed, a.head_x, a.head_y, a.spin};

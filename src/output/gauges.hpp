@@ -40,7 +40,7 @@ namespace recoil {
 ///                     from the last stage of each step, which stands in its middle; without, impulse and
 ///                     work are what was exchanged, to the last bit.
 ///   bar               length, foot-radius, radius, volume-radius, contact-radius, lift-off, plastic-strain,
-///                     axis-plastic-strain: see BarReading
+///                     axis-plastic-strain, rim-lift-off: see BarReading
 ///   attitude          inclination, inclination.front-half, inclination.front-third, course, speed,
 ///                     head.x, head.y, spin: see
 ///                     Attitude

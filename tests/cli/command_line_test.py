@@ -216,6 +216,33 @@ class Run(Program):
         self.expect(recoil("plot", out, "gauge.rear", "speed"), 2, "velocity")
         self.expect(recoil("plot", self.folder / "nowhere", "pressure"), 2, "no folder")
 
+    def picture(self, *words):
+        """Draws; the size of the picture in bytes."""
+        png = self.folder / "picture.png"
+        self.expect(recoil("plot", *words, "-o", png), 0, "picture.png")
+        return len(png.read_bytes())
+
+    def test_plots_of_several_runs_and_over_time(self):
+        self.expect(self.run_coarse(), 0)
+        out, other = self.folder / "out", self.folder / "other"
+        self.expect(recoil("run", self.case(), *COARSE, "--set", "mesh.offset=0.4", "-o", other), 0)
+        self.assertNotEqual(self.picture(out, "gauge.rear"), self.picture(out, "gauge.rear", "--with", other))
+        self.assertGreater(self.picture(out, "pressure", "--xt"), 5000)
+        self.expect(recoil("plot", out, "pressure", "--window", "x=0mm..1mm"), 2, "need a field in the plane")
+
+    def test_plots_of_parts_with_outlines(self):
+        out, outline = self.folder / "out", self.folder / "outline.csv"
+        self.expect(recoil("run", DATA / "cases" / "slip_aligned", "--end", "0.05 us", "-o", out),
+                    5)
+        outline.write_text("time [us],x [mm],y [mm]\n0,0,0\n0.05,-1,0.1\n0.05,1,0.5\n")
+        whole, window = self.picture(out, "velocity.x"), ["--window", "x=-2.5mm..1mm,y=0mm..0.4mm"]
+        part = self.picture(out, "velocity.x", *window)
+        self.assertNotEqual(whole, part)
+        self.assertNotEqual(part, self.picture(out, "velocity.x", *window, "--outline", outline))
+        self.expect(recoil("plot", out, "velocity.x", "--window", "r=0mm..1mm"), 2, "--window x=0mm..9mm,y=0mm..12mm")
+        self.expect(recoil("plot", out, "velocity.x", "--window", "x=50mm..60mm"), 2, "beside the field")
+        self.expect(recoil("plot", out, "pressure", "--xt"), 2, "--xt needs a 1d run")
+
 
 class Ranks(Program):
     def test_processes_and_threads_give_the_same_bits(self):
@@ -252,6 +279,16 @@ class Study(Program):
         self.assertGreater(errors[0], errors[1])
         self.assertGreater(errors[1], errors[2])
         self.assertIn("| order |", (self.folder / "study" / "study.md").read_text())
+        self.assertEqual((self.folder / "study" / "error.png").read_bytes()[:4], b"\x89PNG")
+        self.assertFalse((self.folder / "study" / "rear_velocity.png").exists(), "no curve is expected")
+
+    def test_draws_records_over_their_reference(self):
+        (self.folder / "curve.csv").write_text("time [us],speed [m/s]\n0,0\n6,20\n")
+        (self.folder / "case.toml").write_text(
+            self.case().read_text() + '[expect]\n"gauge.rear.velocity.error@3us..5us:curve.csv:speed" = { at-most = "1 km/s" }\n')
+        self.expect(recoil("study", self.folder / "case.toml", "--mesh", "0.4mm,0.2mm", "-o", self.folder / "study"), 0,
+                    "rear_velocity.png")
+        self.assertEqual((self.folder / "study" / "rear_velocity.png").read_bytes()[:4], b"\x89PNG")
 
     def test_mistakes_come_before_the_first_run(self):
         self.expect(recoil("study", self.case(), "--mesh", "0.2mm,fine", "-o", self.folder / "study"), 2, "fine")

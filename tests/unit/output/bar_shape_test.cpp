@@ -69,6 +69,7 @@ TEST(BarShape, OfAFootThatLiftsOff) {
   EXPECT_NEAR(r.foot_radius, 4e-3, 1e-6);
   EXPECT_NEAR(r.contact_radius, 2.25e-3, 0.05e-3) << "0.1 dx is reached there";
   EXPECT_NEAR(r.lift_off, 0.18e-3, 0.01e-3) << "at 3.8 mm";
+  EXPECT_NEAR(r.rim_lift_off, 0.19e-3, 0.015e-3) << "at the last centre of a cell before 4 mm";
 }
 
 TEST(BarShape, FootRadiusIsThatOfTheFoot) {
