@@ -12,7 +12,7 @@
 #include "output/json_files.hpp"
 #include "output/recorder.hpp"
 #include "problem/start.hpp"
-#include "timestep/step.hpp"
+#include "timestep/ghost_fluid_step.hpp"
 
 namespace recoil::app {
 
@@ -64,15 +64,22 @@ void tell_timers(Reporter& reporter, const Timers<StepPart>& timers, double wall
   }
 }
 
+/// The step of a scheme, chosen once for the run.
+template <int Dim>
+auto step_of(const std::string& scheme) {
+  return scheme == "ghost-fluid" ? &advance_ghost_fluid<Dim> : &advance<Dim>;
+}
+
 /// The loop over steps. @param dt length of the last one [s], also after a failure.
 template <int Dim>
 void march(const config::Case& c, State<Dim>& state, Engine& engine, Recorder<Dim>& recorder,
            Reporter& reporter, double& dt) {
   const Stepping stepping{c.time.cfl, c.time.fixed_dt};
+  const auto step = step_of<Dim>(c.method.scheme);
   const double cells = cells_with_matter(c);
   const double last = c.time.end * (1 - 1e-12);  // the sum of the steps may miss the end by round-off
   while (state.time < last) {
-    dt = advance(state, stepping, c.time.end, engine);
+    dt = step(state, stepping, c.time.end, engine);
     recorder.after_step(state, dt);
     if (const std::vector<Event> news = recorder.take_news(); !news.empty()) tell_news(reporter, news);
     reporter.progress({state.time, c.time.end, dt, state.step, cells});

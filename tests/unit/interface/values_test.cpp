@@ -12,8 +12,9 @@ namespace {
 
 template <int Dim>
 void fill_values(Prepared<Dim>& p) {
-  p.for_each_body(
-      [&](Body<Dim>& body, int s, Scratch& scratch) { choose_ghosts(p.state, body, s, scratch); });
+  p.for_each_body([&](Body<Dim>& body, int s, Scratch& scratch) {
+    choose_ghosts(p.state, body, s, Cells::cut, scratch);
+  });
   p.evaluate();
   Scratch scratch;
   for (int s = 0; s < p.state.mesh.local(); ++s) {
