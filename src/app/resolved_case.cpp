@@ -115,6 +115,7 @@ class Writer {
       line("cfl", format_number(c_.time.cfl));
     section("method");
     line("scheme", quoted(c_.method.scheme));
+    if (c_.method.scheme == "seed") line("kappa", format_number(c_.method.kappa));
     section("contact");
     line("default", quoted("separable"));
     section("output.fields");

@@ -12,7 +12,7 @@
 #include "output/json_files.hpp"
 #include "output/recorder.hpp"
 #include "problem/start.hpp"
-#include "timestep/ghost_fluid_step.hpp"
+#include "timestep/schemes.hpp"
 
 namespace recoil::app {
 
@@ -64,18 +64,12 @@ void tell_timers(Reporter& reporter, const Timers<StepPart>& timers, double wall
   }
 }
 
-/// The step of a scheme, chosen once for the run.
-template <int Dim>
-auto step_of(const std::string& scheme) {
-  return scheme == "ghost-fluid" ? &advance_ghost_fluid<Dim> : &advance<Dim>;
-}
-
 /// The loop over steps. @param dt length of the last one [s], also after a failure.
 template <int Dim>
 void march(const config::Case& c, State<Dim>& state, Engine& engine, Recorder<Dim>& recorder,
            Reporter& reporter, double& dt) {
-  const Stepping stepping{c.time.cfl, c.time.fixed_dt};
-  const auto step = step_of<Dim>(c.method.scheme);
+  const Stepping stepping{c.time.cfl, c.time.fixed_dt, c.method.kappa};
+  const Advance<Dim> step = step_of<Dim>(c.method.scheme);
   const double cells = cells_with_matter(c);
   const double last = c.time.end * (1 - 1e-12);  // the sum of the steps may miss the end by round-off
   while (state.time < last) {

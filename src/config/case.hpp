@@ -92,7 +92,8 @@ struct Output {
 };
 
 struct Method {
-  std::string scheme = "conservative";
+  std::string scheme = "conservative";  // conservative, ghost-fluid, seed
+  double kappa = 0.5;                   // [dx] distance at which bodies meet; seed only
 };
 
 /// One acceptance check of [expect] or expected.toml.

@@ -135,6 +135,16 @@ Output read_output(const Node& node, Diagnostics& out) {
   return {fields.number("every"), fields.texts("variables"), history.number("every")};
 }
 
+Method read_method(const Node& node, Diagnostics& out) {
+  const Record record = read_record(node, keys_of("method"), out);
+  const Method method{record.text("scheme"), record.number("kappa")};
+  if (record.has("kappa") && method.scheme != "seed")
+    out.error(record.key_place("kappa"),
+              fmt::format("'kappa' has no meaning for scheme = \"{}\"", method.scheme),
+              "take it out, or use scheme = \"seed\": the other schemes close gaps without a tolerance");
+  return method;
+}
+
 /// A newer file may hold anything, so it is not read any further.
 bool check_format(const Document& document, Diagnostics& out) {
   const Node* node = document.root.find("format");
@@ -156,7 +166,7 @@ void read_sections(const Node& root, const Record& top, Case& c, Diagnostics& ou
   if (top.good("mesh")) read_mesh(*root.find("mesh"), c.domain, c.mesh, in);
   if (top.good("time")) c.time = read_time(*root.find("time"), out);
   c.output = read_output(table_or_empty(root, "output"), out);
-  c.method.scheme = read_record(table_or_empty(root, "method"), keys_of("method"), out).text("scheme");
+  c.method = read_method(table_or_empty(root, "method"), out);
   read_record(table_or_empty(root, "contact"), keys_of("contact"), out);
   c.expect = read_expectations(table_or_empty(root, "expect"), out);
   // Without a domain the coordinates are not known: bodies would only give errors that follow from that one.

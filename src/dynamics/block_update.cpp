@@ -4,7 +4,7 @@
 
 #include "cutcell/geometry.hpp"
 #include "cutcell/whole_cells.hpp"
-#include "dynamics/flux.hpp"
+#include "dynamics/flux_llf.hpp"
 
 namespace recoil {
 
@@ -76,6 +76,12 @@ struct WenoHllc {
   template <int Dim, int Axis, bool Shear, class EosModel>
   static int fluxes(const EosModel& eos, double g, const FaceRow<Dim>& in, const FaceFlux<Dim>& out) {
     return face_fluxes<Dim, Axis, Shear>(eos, g, in, out);
+  }
+};
+struct EnoLlf {
+  template <int Dim, int Axis, bool Shear, class EosModel>
+  static int fluxes(const EosModel& eos, double g, const FaceRow<Dim>& in, const FaceFlux<Dim>& out) {
+    return face_fluxes_llf<Dim, Axis, Shear>(eos, g, in, out);
   }
 };
 
@@ -425,8 +431,10 @@ void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt,
 template <int Dim>
 void update_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, FaceScheme scheme, double dt,
                         double share, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
-  (void)scheme;
-  update_with<WenoHllc>(state, body, slot, Cells::whole, dt, share, edges, counters, scratch);
+  if (scheme == FaceScheme::eno_llf)
+    update_with<EnoLlf>(state, body, slot, Cells::whole, dt, share, edges, counters, scratch);
+  else
+    update_with<WenoHllc>(state, body, slot, Cells::whole, dt, share, edges, counters, scratch);
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                         \

@@ -1,7 +1,9 @@
 #include "dynamics/primitives.hpp"
 #include "interface/fit.hpp"
 #include "interface/ghost_walls.hpp"
+#include "interface/seed_walls.hpp"
 #include "interface/values.hpp"
+#include "levelset/distance.hpp"
 #include "timestep/phases.hpp"
 
 namespace recoil {
@@ -38,6 +40,19 @@ void Phases<Dim>::find_ghosts(double dt, double part) {
 }
 
 template <int Dim>
+void Phases<Dim>::find_seed_ghosts(double kappa, double dt, double part) {
+  share(part_average);
+  for_each_body(StepPart::walls,
+                [&](Body<Dim>& body, int slot, Scratch&) { evaluate_fits(state_, body, slot, true); });
+  share(part_geometry);
+  for_each_slot(StepPart::walls,
+                [&](int slot, Scratch& scratch) { find_seed_walls(state_, slot, kappa, dt, part, scratch); });
+  share(part_geometry);
+  fill_values();
+  share(part_stencil);
+}
+
+template <int Dim>
 void Phases<Dim>::update_whole_cells(FaceScheme scheme, double dt, double part) {
   for_each_slot(StepPart::flux, [&](int slot, Scratch& scratch) {
     for (int m = 0; m < state_.count(); ++m) {
@@ -50,6 +65,39 @@ void Phases<Dim>::update_whole_cells(FaceScheme scheme, double dt, double part) 
     }
   });
   share(part_matter);
+}
+
+template <int Dim>
+void Phases<Dim>::update_classic(FaceScheme scheme, const ClassicStage& stage, bool last, double dt) {
+  for_each_body(StepPart::plasticity,
+                [](Body<Dim>& body, int slot, Scratch&) { start_stage(body.at(slot)); });
+  update_whole_cells(scheme, stage.length * dt, stage.weight / stage.length);
+  for_each_body(StepPart::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
+    collect_stage(body.at(slot), stage);
+    if (last) finish_stages(body.at(slot));
+  });
+  share(part_matter);
+}
+
+template <int Dim>
+void Phases<Dim>::count_lost_contacts() {
+  for_each_body(StepPart::walls, [&](Body<Dim>& body, int slot, Scratch&) {
+    const BodyBlock<Dim>& b = body.at(slot);
+    for (std::size_t k = 0; k < b.walls.size(); ++k)
+      if ((b.contact[static_cast<std::size_t>(b.geometry.cuts[k].cell)] & ~b.walls[k].partners) != 0)
+        ++counters(slot).contacts_lost;
+  });
+}
+
+template <int Dim>
+void Phases<Dim>::redistance_all(int sweeps) {
+  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    if (body.at(slot).near_surface)
+      recoil::redistance(state_, body, slot, sweeps, -1, scratch);
+    else
+      body.at(slot).phi_next = body.at(slot).phi;
+  });
+  swap_phi();
 }
 
 template <int Dim>
@@ -67,12 +115,16 @@ void Phases<Dim>::show_pieces() {
   share(part_matter);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                              \
-  template void Phases<Dim>::take_whole_cells();                             \
-  template void Phases<Dim>::find_surfaces();                                \
-  template void Phases<Dim>::find_ghosts(double, double);                    \
-  template void Phases<Dim>::update_whole_cells(FaceScheme, double, double); \
-  template void Phases<Dim>::close_gaps(double);                             \
+#define RECOIL_INSTANTIATE(Dim)                                                             \
+  template void Phases<Dim>::take_whole_cells();                                            \
+  template void Phases<Dim>::find_surfaces();                                               \
+  template void Phases<Dim>::find_ghosts(double, double);                                   \
+  template void Phases<Dim>::find_seed_ghosts(double, double, double);                      \
+  template void Phases<Dim>::update_classic(FaceScheme, const ClassicStage&, bool, double); \
+  template void Phases<Dim>::count_lost_contacts();                                         \
+  template void Phases<Dim>::redistance_all(int);                                           \
+  template void Phases<Dim>::update_whole_cells(FaceScheme, double, double);                \
+  template void Phases<Dim>::close_gaps(double);                                            \
   template void Phases<Dim>::show_pieces();
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -35,6 +35,7 @@ double advance_ghost_fluid(State<Dim>& state, const Stepping& stepping, double u
 
   // The level set goes with the walls, almost without redistancing beside the surface.
   step.carry_surfaces(dt);
+  step.count_lost_contacts();
   step.remember_contact();
   step.redistance(dt);
   step.cut_cells(Surfaces::own, PhiAt::now);

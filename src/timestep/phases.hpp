@@ -6,6 +6,7 @@
 #include "cutcell/share.hpp"
 #include "cutcell/whole_cells.hpp"
 #include "dynamics/block_update.hpp"
+#include "dynamics/classic_stages.hpp"
 #include "timestep/step.hpp"
 
 namespace recoil {
@@ -59,7 +60,15 @@ class Phases {
   void find_surfaces();
   /// Riemann-Signorini states of all walls, and the ghosts that speak for them.
   void find_ghosts(double dt, double share);
+  /// The same by the traction rule of the seed scheme.
+  void find_seed_ghosts(double kappa, double dt, double share);
   void update_whole_cells(FaceScheme scheme, double dt, double share);
+  /// One stage of the classical Runge-Kutta rule: Q = Q_old + length dt R, or the whole step if it is the
+  /// last.
+  void update_classic(FaceScheme scheme, const ClassicStage& stage, bool last, double dt);
+  /// Counts cut cells that no longer touch what they touched in the last step.
+  void count_lost_contacts();
+  void redistance_all(int sweeps);
   /// Moves surfaces in contact a little (part `rate` of what is left) onto each other.
   void close_gaps(double rate);
   void show_pieces();
