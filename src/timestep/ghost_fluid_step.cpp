@@ -49,8 +49,19 @@ double advance_ghost_fluid(State<Dim>& state, const Stepping& stepping, double u
   return dt;
 }
 
+template <int Dim>
+void settle_whole_cells(State<Dim>& state, Engine& engine) {
+  settle_start(state, engine);
+  Phases<Dim> start{state, engine};
+  start.cut_cells(Surfaces::own, PhiAt::now);
+  start.show_pieces();
+}
+
 template double advance_ghost_fluid<1>(State<1>&, const Stepping&, double, Engine&);
 template double advance_ghost_fluid<2>(State<2>&, const Stepping&, double, Engine&);
 template double advance_ghost_fluid<3>(State<3>&, const Stepping&, double, Engine&);
+template void settle_whole_cells<1>(State<1>&, Engine&);
+template void settle_whole_cells<2>(State<2>&, Engine&);
+template void settle_whole_cells<3>(State<3>&, Engine&);
 
 }  // namespace recoil

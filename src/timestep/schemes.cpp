@@ -7,15 +7,15 @@
 namespace recoil {
 
 template <int Dim>
-Advance<Dim> step_of(const std::string& scheme) {
-  if (scheme == "ghost-fluid") return &advance_ghost_fluid<Dim>;
-  if (scheme == "seed") return &advance_seed<Dim>;
-  require(scheme == "conservative", "no such scheme");
-  return &advance<Dim>;
+Scheme<Dim> scheme_of(const std::string& name) {
+  if (name == "ghost-fluid") return {&settle_whole_cells<Dim>, &advance_ghost_fluid<Dim>};
+  if (name == "seed") return {&settle_whole_cells<Dim>, &advance_seed<Dim>};
+  require(name == "conservative", "no such scheme");
+  return {&settle_start<Dim>, &advance<Dim>};
 }
 
-template Advance<1> step_of<1>(const std::string&);
-template Advance<2> step_of<2>(const std::string&);
-template Advance<3> step_of<3>(const std::string&);
+template Scheme<1> scheme_of<1>(const std::string&);
+template Scheme<2> scheme_of<2>(const std::string&);
+template Scheme<3> scheme_of<3>(const std::string&);
 
 }  // namespace recoil

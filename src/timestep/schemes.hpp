@@ -6,13 +6,16 @@
 
 namespace recoil {
 
-/// A step of any scheme: advance(), advance_ghost_fluid() or advance_seed().
+/// How a scheme starts, and its step.
 template <int Dim>
-using Advance = double (*)(State<Dim>&, const Stepping&, double until, Engine&);
+struct Scheme {
+  void (*settle)(State<Dim>&, Engine&);
+  double (*advance)(State<Dim>&, const Stepping&, double until, Engine&);
+};
 
-/// The step of `method.scheme`: conservative, ghost-fluid or seed. Asked for once per run.
+/// The scheme of a value of `method.scheme`: conservative, ghost-fluid or seed. Asked for once per run.
 /// @throws InternalError for another name.
 template <int Dim>
-Advance<Dim> step_of(const std::string& scheme);
+Scheme<Dim> scheme_of(const std::string& name);
 
 }  // namespace recoil

@@ -10,7 +10,7 @@ namespace {
 
 TEST(Colliding, TakesTheSizeOfTheGapOnly) {
   EXPECT_TRUE(colliding(-0.2, 0.6, 0.5, 1));
-  EXPECT_FALSE(colliding(-0.2, 0.7, 0.5, 1));
+  EXPECT_FALSE(colliding(-0.2, 0.75, 0.5, 1));
   EXPECT_TRUE(colliding(-0.6, 0.2, 0.5, 1));   // an overlap counts like a gap,
   EXPECT_FALSE(colliding(-0.8, 0.2, 0.5, 1));  // and so is lost when it is deep
 }
