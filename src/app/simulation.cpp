@@ -66,8 +66,8 @@ void tell_timers(Reporter& reporter, const Timers<StepPart>& timers, double wall
 
 /// The loop over steps. @param dt length of the last one [s], also after a failure.
 template <int Dim>
-void march(const config::Case& c, const Scheme<Dim>& scheme, State<Dim>& state, Engine& engine, Recorder<Dim>& recorder,
-           Reporter& reporter, double& dt) {
+void march(const config::Case& c, const Scheme<Dim>& scheme, State<Dim>& state, Engine& engine,
+           Recorder<Dim>& recorder, Reporter& reporter, double& dt) {
   const Stepping stepping{c.time.cfl, c.time.fixed_dt, c.method.kappa};
   const double cells = cells_with_matter(c);
   const double last = c.time.end * (1 - 1e-12);  // the sum of the steps may miss the end by round-off

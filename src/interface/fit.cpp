@@ -145,10 +145,11 @@ double trace_range(const Body<Dim>& body, const Wall<Dim>& wall, const Donor<Dim
 
 template <int Dim, class EosModel>
 void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& b, Wall<Dim>& wall,
-              std::size_t n, bool linear) {
+              std::size_t n) {
   using C = Components<Dim>;
   constexpr std::size_t count = EosModel::barotropic ? C::primitives : C::contents;
   const Donor<Dim>* const donors = b.donors.data() + wall.first_donor;
+  double mean_p = 0;
   for (std::size_t c = 0; c < count; ++c) {
     double base = 0, mean = 0, low = 0, high = 0;
     Vec<Dim> gradient;
@@ -167,14 +168,13 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& 
     wall.range[c] = high - low;
     wall.gradient[c] = gradient;
     const double at_surface = mean - dot(gradient, wall.donor_centre), slack = 0.5 * (high - low);
-    wall.value[c] =
-        !linear && (c == C::rho || c >= C::ep) ? mean : std::clamp(at_surface, low - slack, high + slack);
-    if (c == C::p) wall.range[C::extra] = mean;  // kept for the density below
+    wall.value[c] = c == C::rho || c >= C::ep ? mean : std::clamp(at_surface, low - slack, high + slack);
+    if (c == C::p) mean_p = mean;
   }
-  const double rho = wall.value[C::rho], mean_p = wall.range[C::extra];
+  const double rho = wall.value[C::rho];
   const double c0 = bulk_sound_speed(eos),
                c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_sound * c0 * c0);
-  if (!linear) wall.value[C::rho] = rho + std::clamp((wall.value[C::p] - mean_p) / c2, -0.4 * rho, 0.6 * rho);
+  wall.value[C::rho] = rho + std::clamp((wall.value[C::p] - mean_p) / c2, -0.4 * rho, 0.6 * rho);
   wall.value[C::ep] = std::max(0.0, wall.value[C::ep]);
   wall.range[C::extra] = Dim == 3 ? trace_range(body, wall, donors, n) : 0;
 }
@@ -204,7 +204,7 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
 }
 
 template <int Dim>
-void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot, bool linear) {
+void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot) {
   BodyBlock<Dim>& b = body.at(slot);
   const auto n = static_cast<std::size_t>(state.grid().layout().size());
   const Box<Dim> layout = state.grid().layout();
@@ -212,7 +212,7 @@ void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot, bool line
       [&](const auto& eos) {
         for (std::size_t m = 0; m < b.walls.size(); ++m) {
           if (b.walls[m].donors > 0) {
-            evaluate(eos, body, b, b.walls[m], n, linear);
+            evaluate(eos, body, b, b.walls[m], n);
             continue;
           }
           const int cell = b.geometry.cuts[m].cell;
@@ -225,7 +225,7 @@ void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot, bool line
 
 #define RECOIL_INSTANTIATE(Dim)                                                              \
   template void choose_donors<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&); \
-  template void evaluate_fits<Dim>(const State<Dim>&, Body<Dim>&, int, bool);
+  template void evaluate_fits<Dim>(const State<Dim>&, Body<Dim>&, int);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

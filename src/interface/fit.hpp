@@ -14,8 +14,7 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
 
 /// The fitted primitives at the surface points from the averages of this stage, limited to the donors' range
 /// widened by half of it; plastic strain, heat and entropy are the weighted means only.
-/// @param linear density, plastic strain and heat are continued along their gradients too (seed scheme).
 template <int Dim>
-void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot, bool linear = false);
+void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot);
 
 }  // namespace recoil

@@ -43,7 +43,7 @@ template <int Dim>
 void Phases<Dim>::find_seed_ghosts(double kappa, double dt, double part) {
   share(part_average);
   for_each_body(StepPart::walls,
-                [&](Body<Dim>& body, int slot, Scratch&) { evaluate_fits(state_, body, slot, true); });
+                [&](Body<Dim>& body, int slot, Scratch&) { evaluate_fits(state_, body, slot); });
   share(part_geometry);
   for_each_slot(StepPart::walls,
                 [&](int slot, Scratch& scratch) { find_seed_walls(state_, slot, kappa, dt, part, scratch); });
