@@ -224,6 +224,11 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
   Change<Dim> x;
   x.normal_velocity = normal_velocity - s.velocity;
   x.sliding = -shear_recoil(s);
+  // A surface without shear traction still turns: a constant tangential velocity would brake a spinning body.
+  for (int d = 0; d < Dim; ++d) {
+    const double change = std::clamp(g.sliding[d] * ghost.distance, -most_u, most_u);
+    x.sliding[d] += own[d] == n[d] ? change : -change;
+  }
   x.shear = -s.shear;
   apply(v, x, n);
   return v;
