@@ -30,6 +30,7 @@ struct Commands {
   CheckOptions check;
   PlotOptions plot;
   StudyOptions study;
+  VerifyOptions verify;
   std::string material, key;
   bool markdown = false;
   std::function<int()> chosen;
@@ -45,6 +46,7 @@ struct Commands {
     add_check();
     add_plot();
     add_study();
+    add_verify();
     add_rest();
   }
 
@@ -97,6 +99,16 @@ struct Commands {
     c->add_option("--reference", plot.reference, "curve to compare a gauge with")->type_name("CSV:COLUMN");
     c->add_option("--at", plot.at, "time of the field; without it the last")->type_name("TIME");
     c->add_option("--slice", plot.slice, "plane of a 3d field")->type_name("z=PLACE");
+    c->add_option("--with", plot.others, "another run whose same gauge is drawn, too; may be repeated")
+        ->type_name("DIR")
+        ->expected(1)
+        ->take_all();
+    c->add_option("--window", plot.window, "part of a field to draw: r=0mm..9mm,z=0mm..12mm")
+        ->type_name("WINDOW");
+    c->add_option("--outline", plot.outline,
+                  "outline to draw over a field: a table of time and two coordinates")
+        ->type_name("CSV");
+    c->add_flag("--xt", plot.over_time, "a field of a 1d run over place and time (x-t diagram)");
   }
 
   void add_study() {
@@ -107,6 +119,22 @@ struct Commands {
     c->add_option("--offset", study.offsets, "shifts of the mesh in cells: 0,0.2,0.4")->delimiter(',');
     add_set(*c, study.overrides);
     c->add_option("-o,--output", study.folder, "folder of the results")->type_name("DIR");
+  }
+
+  void add_verify() {
+    CLI::App* c = command(top, "verify", "run shipped cases and compare them with their references",
+                          [this] { return app::verify(verify); });
+    c->add_option("case", verify.cases,
+                  "names of shipped cases, or cases of your own; without it all shipped ones")
+        ->type_name("CASE...");
+    c->add_flag("--quick", verify.quick, "only the cheapest cases: some minutes");
+    c->add_flag("--list", verify.list, "name the cases, with the time that they take, and leave");
+    c->add_option("-j,--jobs", verify.jobs, "runs at a time; without it one for each processor")
+        ->check(CLI::PositiveNumber);
+    c->add_flag("--reuse", verify.reuse, "take finished runs of exactly the same case that are there");
+    c->add_option("--write", verify.write, "write the table to this file, too")->type_name("FILE.md");
+    c->add_option("-o,--output", verify.folder, "folder of the results; without it runs/verify")
+        ->type_name("DIR");
   }
 
   void add_rest() {

@@ -32,20 +32,26 @@ double factor(const CsvTable& table, const std::string& column, const std::strin
   return own.empty() || unit.empty() || own == unit ? 1 : config::unit_size(own) / config::unit_size(unit);
 }
 
-Series curve(const CsvTable& table, const std::string& column, const std::string& unit, std::string label) {
+Series curve(const CsvTable& table, const std::string& column, const std::string& over,
+             const std::string& unit, std::string label) {
   Series s{std::move(label), table.numbers(table.columns.front()), table.numbers(column)};
-  for (double& t : s.x) t *= factor(table, table.columns.front(), "us");
+  for (double& t : s.x) t *= factor(table, table.columns.front(), over);
   for (double& y : s.y) y *= factor(table, column, unit);
   return s;
 }
 
-Series reference_curve(const std::string& text, const std::string& unit) {
+Series reference_curve(const std::string& text, const std::string& over, const std::string& unit) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos)
     throw InputError(fmt::format("'{}' names no column\n   = help: write --reference FILE.csv:COLUMN", text));
-  Series s = curve(read_csv(text.substr(0, colon)), text.substr(colon + 1), unit, "reference");
+  Series s = curve(read_csv(text.substr(0, colon)), text.substr(colon + 1), over, unit, "reference");
   s.style = kReferenceStyle;
   return s;
+}
+
+/// Of one run the gauge is named, of several the run.
+std::string label_of(const fs::path& folder, const PlotOptions& o, const std::string& gauge) {
+  return o.others.empty() ? gauge : fs::absolute(folder).lexically_normal().filename().string();
 }
 
 int plot_gauge(const PlotOptions& o, const std::string& name) {
@@ -61,14 +67,21 @@ int plot_gauge(const PlotOptions& o, const std::string& name) {
     throw InputError(fmt::format("{} holds no column but the time", file.string()));
   const std::string column = table.columns[o.what.size() > 1 ? table.index(o.what[1]) : 1];
   LineChart chart;
-  chart.title = fmt::format("{}, {}", fs::path(o.folder).lexically_normal().filename().string(), name);
-  chart.x_title = "time [µs]";
+  chart.title = o.others.empty()
+                    ? fmt::format("{}, {}", fs::path(o.folder).lexically_normal().filename().string(), name)
+                    : name;
+  const std::string over = table.unit(table.columns.front());
+  chart.x_title = over == "us" ? "time [µs]" : table.columns.front();
   chart.y_title = column;
-  if (!o.reference.empty()) chart.series.push_back(reference_curve(o.reference, table.unit(column)));
-  chart.series.push_back(curve(table, column, table.unit(column), name));
+  if (!o.reference.empty()) chart.series.push_back(reference_curve(o.reference, over, table.unit(column)));
+  chart.series.push_back(curve(table, column, over, table.unit(column), label_of(o.folder, o, name)));
+  for (const std::string& other : o.others) {
+    const CsvTable more = read_csv(fs::path(other) / "gauges" / (name + ".csv"));
+    chart.series.push_back(curve(more, column, over, table.unit(column), label_of(other, o, name)));
+  }
   // A reference may go on for longer than the run.
-  if (!o.reference.empty() && !chart.series.back().x.empty())
-    chart.x_range = {chart.series.back().x.front(), chart.series.back().x.back()};
+  const std::vector<double>& span = chart.series[o.reference.empty() ? 0 : 1].x;
+  if (!o.reference.empty() && !span.empty()) chart.x_range = {span.front(), span.back()};
   const fs::path png = o.file.empty() ? fs::path(o.folder) / (name + ".png") : fs::path(o.file);
   write_png(png, line_chart(chart));
   fmt::print("{}\n", png.string());
@@ -87,7 +100,7 @@ int plot(const PlotOptions& given) {
   const std::string& what = o.what.front();
   if (what.starts_with("gauge.")) return plot_gauge(o, what.substr(6));
   if (fs::exists(fs::path(o.folder) / "gauges" / (what + ".csv"))) return plot_gauge(o, what);
-  return plot_field(o);
+  return o.over_time ? plot_field_over_time(o) : plot_field(o);
 }
 
 }  // namespace recoil::app

@@ -10,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/launch.hpp"
 #include "app/load_case.hpp"
+#include "app/study_charts.hpp"
 #include "app/study_table.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
@@ -76,6 +77,7 @@ int study(const StudyOptions& o) {
   for (const std::string& s : o.offsets) quantity(s, "1", "--offset");
   fs::create_directories(folder);
   int worst = exit_finished;
+  std::vector<StudyMesh> meshes;  // with the first of the shifts
   for (const std::string& size : o.sizes)
     for (const std::string& offset : offsets) {
       const std::string name = "mesh_" + size + (offset.empty() ? "" : "_offset_" + offset);
@@ -93,6 +95,7 @@ int study(const StudyOptions& o) {
       fmt::print(" {}\n",
                  done ? "done" : fmt::format("FAILED with exit code {}, see {}", code, log.string()));
       if (!done) worst = code;
+      if (done && (meshes.empty() || meshes.back().size != size)) meshes.push_back({size, folder / name});
       table.runs.push_back({quantity(size, "m", "--mesh"),
                             offset.empty() ? 0 : quantity(offset, "1", "--offset"),
                             values_in(done ? folder / name / "summary.json" : fs::path(), expected)});
@@ -101,6 +104,8 @@ int study(const StudyOptions& o) {
   write_atomically(folder / "study.md", text);
   write_atomically(folder / "study.csv", study_csv(table));
   fmt::print("\n{}\n{}\n", text, (folder / "study.md").string());
+  for (const fs::path& png : write_study_charts(folder, table, meshes, loaded.folder))
+    fmt::print("{}\n", png.string());
   return worst;
 }
 

@@ -30,11 +30,15 @@ int check(const CheckOptions& options);
 
 struct PlotOptions {
   std::string folder;
-  std::vector<std::string> what;  // gauge.NAME [COLUMN], or FIELD; a name ending in .png is `file`
-  std::string file;               // PNG
-  std::string reference;          // CSV:COLUMN
-  std::string at;                 // time of the field
-  std::string slice;              // "z=0mm"
+  std::vector<std::string> what;    // gauge.NAME [COLUMN], or FIELD; a name ending in .png is `file`
+  std::string file;                 // PNG
+  std::string reference;            // CSV:COLUMN
+  std::string at;                   // time of the field
+  std::string slice;                // "z=0mm"
+  std::vector<std::string> others;  // folders of runs whose same gauge is drawn, too
+  std::string outline;              // CSV with time and two coordinates, drawn over a field
+  std::string window;               // "r=0mm..9mm,z=0mm..12mm": the part of a field to draw
+  bool over_time = false;           // a field of a 1d run over place and time
 };
 int plot(const PlotOptions& options);
 
@@ -46,6 +50,17 @@ struct StudyOptions {
   std::string folder;
 };
 int study(const StudyOptions& options);
+
+struct VerifyOptions {
+  std::vector<std::string> cases;  // none: all shipped ones
+  bool quick = false;              // only the cheapest
+  bool list = false;               // name the cases and leave
+  bool reuse = false;              // take results of the same case that are there
+  int jobs = 0;                    // runs at a time; 0: as many as there are processors
+  std::string write;               // the table goes here, too
+  std::string folder;
+};
+int verify(const VerifyOptions& options);
 
 int list_library();
 int show_material(const std::string& name);

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "config/read_case.hpp"
 #include "config/read_shape.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
+#include "output/csv.hpp"
 #include "output/field_picture.hpp"
 #include "output/field_plane.hpp"
 #include "output/line_chart.hpp"
@@ -56,8 +59,82 @@ Image curve_of(const FieldPlane& plane, const std::string& title, const std::str
   return line_chart(chart);
 }
 
+/// Zero in the middle of the colours where values have both signs.
+void choose_colours(FieldPicture& picture, bool signed_values) {
+  double lo = 0, hi = 0;
+  for (const double v : picture.values)
+    if (std::isfinite(v)) lo = std::min(lo, v), hi = std::max(hi, v);
+  if (!signed_values || !(lo < 0)) return;
+  picture.map = ColourMap::diverging;
+  picture.range = {{-std::max(-lo, hi), std::max(-lo, hi)}};
+}
+
+/// What a window leaves of one axis.
+struct Span {
+  double from = -1e300, to = 1e300;  // m
+};
+
+/// Reads "r=0mm..9mm,z=0mm..12mm".
+std::array<Span, 2> read_window(const std::string& text, const std::vector<std::string>& axes) {
+  std::array<Span, 2> window;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string part = text.substr(at, end - at);
+    const std::size_t equals = part.find('='), dots = part.find("..");
+    const auto axis = std::find(axes.begin(), axes.end(), part.substr(0, equals)) - axes.begin();
+    if (equals == std::string::npos || dots == std::string::npos || axis > 1)
+      throw InputError(
+          fmt::format("'{}' is no part of a window\n   = help: --window {}=0mm..9mm,{}=0mm..12mm", part,
+                      axes[0], axes[1]));
+    window[static_cast<std::size_t>(axis)] = {
+        quantity(part.substr(equals + 1, dots - equals - 1), "m", "--window"),
+        quantity(part.substr(dots + 2), "m", "--window")};
+    at = end + 1;
+  }
+  return window;
+}
+
+/// Leaves the cells whose centre lies in the window.
+void crop(PlaneArray& a, const std::array<Span, 2>& window) {
+  const auto first = [](double x0, double dx, double from, int n) {
+    return std::clamp(static_cast<int>(std::ceil((from - x0) / dx - 0.5)), 0, n);
+  };
+  const int i0 = first(a.x0, a.dx, std::max(window[0].from, a.x0), a.nx),
+            i1 = first(a.x0, a.dx, std::min(window[0].to, a.x0 + a.nx * a.dx), a.nx),
+            j0 = first(a.y0, a.dy, std::max(window[1].from, a.y0), a.ny),
+            j1 = first(a.y0, a.dy, std::min(window[1].to, a.y0 + a.ny * a.dy), a.ny);
+  if (i1 <= i0 || j1 <= j0)
+    throw InputError("the window lies beside the field\n   = help: choose another --window");
+  PlaneArray b{i1 - i0, j1 - j0, a.x0 + i0 * a.dx, a.y0 + j0 * a.dy, a.dx, a.dy, {}};
+  for (int j = j0; j < j1; ++j)
+    for (int i = i0; i < i1; ++i) b.values.push_back(a.at(i, j));
+  a = std::move(b);
+}
+
+/// The points of a table of time and two coordinates at the time nearest to t [s].
+Outline read_outline(const std::string& file, double t) {
+  const CsvTable table = read_csv(file);
+  if (table.columns.size() < 3)
+    throw InputError(
+        fmt::format("{} is no outline\n   = help: its columns are a time and two coordinates", file));
+  const auto column = [&](std::size_t k) {
+    std::vector<double> v = table.numbers(table.columns[k]);
+    const std::string unit = table.unit(table.columns[k]);
+    for (double& x : v) x *= unit.empty() ? 1 : config::unit_size(unit);
+    return v;
+  };
+  const std::vector<double> time = column(0), x = column(1), y = column(2);
+  double best = 0;
+  for (const double s : time)
+    if (std::abs(s - t) < std::abs(best - t)) best = s;
+  Outline outline;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    if (time[k] == best) outline.points.push_back({x[k], y[k]});
+  return outline;
+}
+
 Image picture_of(const FieldPlane& plane, const config::Case& c, const std::string& title,
-                 const std::string& note) {
+                 const std::string& note, const std::string& outline) {
   const PlaneArray& a = plane.values;
   FieldPicture picture;
   picture.nx = a.nx, picture.ny = a.ny;
@@ -74,13 +151,8 @@ Image picture_of(const FieldPlane& plane, const config::Case& c, const std::stri
   picture.x_title = axes[0] + " [mm]";
   picture.y_title = axes[1] + " [mm]";
   picture.mirror = c.domain.geometry == config::Geometry::axisymmetric;
-  double lo = 0, hi = 0;
-  for (const double v : a.values)
-    if (std::isfinite(v)) lo = std::min(lo, v), hi = std::max(hi, v);
-  if (plane.signed_values && lo < 0) {  // zero in the middle of the colours
-    picture.map = ColourMap::diverging;
-    picture.range = {{-std::max(-lo, hi), std::max(-lo, hi)}};
-  }
+  if (!outline.empty()) picture.references.push_back(read_outline(outline, plane.time_s));
+  choose_colours(picture, plane.signed_values);
   return field_picture(picture);
 }
 
@@ -91,15 +163,77 @@ int plot_field(const PlotOptions& o) {
   const ChosenDump chosen =
       choose_dump(o.folder, o.at.empty() ? std::nullopt : std::optional<double>(quantity(o.at, "s", "--at")));
   const std::string& name = o.what.front();
-  const FieldPlane plane = field_plane(read_vtkhdf(chosen.path), name, run_units(c.domain.geometry),
-                                       place_of_slice(o.slice, c.domain));
+  FieldPlane plane = field_plane(read_vtkhdf(chosen.path), name, run_units(c.domain.geometry),
+                                 place_of_slice(o.slice, c.domain));
+  const bool is_line = c.domain.geometry == config::Geometry::line;
+  if (is_line && !(o.window.empty() && o.outline.empty()))
+    throw InputError(
+        "--window and --outline need a field in the plane\n   = help: leave them out for a 1d run");
+  if (!o.window.empty()) {
+    const auto window = read_window(o.window, config::axes_of(c.domain.geometry));
+    crop(plane.values, window);
+    crop(plane.matter, window);
+    for (PlaneArray& phi : plane.level_sets) crop(phi, window);
+  }
   const std::string note = fmt::format("{:.4g} µs", chosen.time_s * 1e6);
-  const Image image = c.domain.geometry == config::Geometry::line ? curve_of(plane, c.title, note)
-                                                                  : picture_of(plane, c, c.title, note);
+  const Image image =
+      is_line ? curve_of(plane, c.title, note) : picture_of(plane, c, c.title, note, o.outline);
   const fs::path png = o.file.empty()
                            ? fs::path(o.folder) / fmt::format("{}_{:.4g}us.png", name, chosen.time_s * 1e6)
                            : fs::path(o.file);
   write_png(png, image);
+  fmt::print("{}\n", png.string());
+  return 0;
+}
+
+int plot_field_over_time(const PlotOptions& o) {
+  const config::Case c = case_of(o.folder);
+  if (c.domain.geometry != config::Geometry::line)
+    throw InputError("--xt needs a 1d run\n   = help: leave it out; --at chooses the time of a picture");
+  const std::vector<ChosenDump> dumps = all_dumps(o.folder);
+  if (dumps.size() < 3)
+    throw InputError(
+        fmt::format("{} has {} dumps, too few for an x-t diagram\n   = help: run it with --set "
+                    "'output.fields.every=0.05us'",
+                    o.folder, dumps.size()));
+  const double dx = c.mesh.finest;
+  FieldPicture picture;
+  picture.nx = static_cast<int>(std::ceil((c.domain.hi[0] - c.domain.lo[0]) / dx));
+  picture.ny = static_cast<int>(dumps.size());
+  picture.dx = dx;
+  picture.dy = (dumps.back().time_s - dumps.front().time_s) / (picture.ny - 1);
+  picture.x0 = c.domain.lo[0];
+  picture.y0 = dumps.front().time_s - 0.5 * picture.dy;
+  bool signed_values = false;
+  std::vector<PlaneArray> surfaces;
+  const auto put = [&](const PlaneArray& from, int j, std::vector<double>& to) {
+    for (int i = 0; i < from.nx; ++i) {
+      const int k = static_cast<int>(std::floor((from.x0 + (i + 0.5) * from.dx - picture.x0) / dx));
+      if (k >= 0 && k < picture.nx) to[static_cast<std::size_t>(k + picture.nx * j)] = from.at(i, 0);
+    }
+  };
+  picture.values.assign(static_cast<std::size_t>(picture.nx * picture.ny),
+                        std::numeric_limits<double>::quiet_NaN());
+  const std::vector<double> nothing = picture.values;
+  for (int j = 0; j < picture.ny; ++j) {
+    const FieldPlane plane = field_plane(read_vtkhdf(dumps[static_cast<std::size_t>(j)].path), o.what.front(),
+                                         run_units(c.domain.geometry));
+    picture.label = plane.label;
+    signed_values = plane.signed_values;
+    put(plane.values, j, picture.values);
+    surfaces.resize(plane.level_sets.size(),
+                    {picture.nx, picture.ny, picture.x0, picture.y0, picture.dx, picture.dy, nothing});
+    for (std::size_t m = 0; m < surfaces.size(); ++m) put(plane.level_sets[m], j, surfaces[m].values);
+  }
+  for (const PlaneArray& phi : surfaces)
+    for (Outline& line : zero_outlines(phi)) picture.outlines.push_back(std::move(line));
+  picture.title = c.title;
+  picture.x_title = "x [mm]", picture.y_title = "time [µs]";
+  picture.y_scale = 1e6;
+  picture.equal_aspect = false;
+  choose_colours(picture, signed_values);
+  const fs::path png = o.file.empty() ? fs::path(o.folder) / (o.what.front() + "_xt.png") : fs::path(o.file);
+  write_png(png, field_picture(picture));
   fmt::print("{}\n", png.string());
   return 0;
 }

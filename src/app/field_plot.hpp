@@ -8,4 +8,8 @@ namespace recoil::app {
 /// as a curve. @throws InputError where the run has no dumps or no such field.
 int plot_field(const PlotOptions& options);
 
+/// Draws a field of a 1d run over place and time, from all its dumps, with the bodies' surfaces.
+/// @throws InputError for another geometry, or a run without dumps or such a field.
+int plot_field_over_time(const PlotOptions& options);
+
 }  // namespace recoil::app

@@ -115,6 +115,7 @@ class Writer {
       line("cfl", format_number(c_.time.cfl));
     section("method");
     line("scheme", quoted(c_.method.scheme));
+    if (c_.method.scheme == "seed") line("kappa", format_number(c_.method.kappa));
     section("contact");
     choice("default", c_.contact.usual);
     for (const config::Contact::Pair& p : c_.contact.pairs) {
@@ -222,16 +223,24 @@ class Writer {
   void add(const Gauge& g) {
     using enum Gauge::Kind;
     section("gauge." + g.name);
-    constexpr const char* kinds[] = {"surface-velocity", "point", "body", "contact"};
+    constexpr const char* kinds[] = {"surface-velocity", "point",      "body", "contact", "bar",
+                                     "attitude",         "peak-stress"};
     line("kind", quoted(kinds[static_cast<int>(g.kind)]));
     if (g.kind == contact)
       line("pair", quoted(g.pair[0] + '-' + g.pair[1]));
     else
       line("body", quoted(g.body));
-    if (g.kind == surface_velocity || g.kind == point || g.radius > 0) line("at", vector(g.at, "m"));
+    if (g.kind == surface_velocity || g.kind == point || g.kind == peak_stress || g.radius > 0)
+      line("at", vector(g.at, "m"));
     if (g.radius > 0) line("radius", quantity(g.radius, "m"));
     if (g.direction != Vector{}) line("direction", vector(g.direction, "1"));
-    line("every", quantity(g.every, "s"));
+    if (g.kind == bar) line("wall", quoted(g.wall));
+    if (g.kind == peak_stress) {
+      line("to", vector(g.to, "m"));
+      line("stations", std::to_string(g.stations));
+    } else {
+      line("every", quantity(g.every, "s"));
+    }
   }
 
   /// The unit of an expectation is any, so its values stay in the unit that they were written in.

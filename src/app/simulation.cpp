@@ -12,7 +12,7 @@
 #include "output/json_files.hpp"
 #include "output/recorder.hpp"
 #include "problem/start.hpp"
-#include "timestep/step.hpp"
+#include "timestep/schemes.hpp"
 
 namespace recoil::app {
 
@@ -66,13 +66,13 @@ void tell_timers(Reporter& reporter, const Timers<StepPart>& timers, double wall
 
 /// The loop over steps. @param dt length of the last one [s], also after a failure.
 template <int Dim>
-void march(const config::Case& c, State<Dim>& state, Engine& engine, Recorder<Dim>& recorder,
-           Reporter& reporter, double& dt) {
-  const Stepping stepping{c.time.cfl, c.time.fixed_dt};
+void march(const config::Case& c, const Scheme<Dim>& scheme, State<Dim>& state, Engine& engine,
+           Recorder<Dim>& recorder, Reporter& reporter, double& dt) {
+  const Stepping stepping{c.time.cfl, c.time.fixed_dt, c.method.kappa};
   const double cells = cells_with_matter(c);
   const double last = c.time.end * (1 - 1e-12);  // the sum of the steps may miss the end by round-off
   while (state.time < last) {
-    dt = advance(state, stepping, c.time.end, engine);
+    dt = scheme.advance(state, stepping, c.time.end, engine);
     recorder.after_step(state, dt);
     if (const std::vector<Event> news = recorder.take_news(); !news.empty()) tell_news(reporter, news);
     reporter.progress({state.time, c.time.end, dt, state.step, cells});
@@ -91,7 +91,8 @@ int simulate(const LoadedCase& loaded, const SimulationOptions& options, const p
   parallel::Team team(options.threads);
   Engine engine{world, team, {}};
   State<Dim> state = make_state<Dim>(c, loaded.materials, world);
-  settle_start(state, engine);
+  const Scheme<Dim> scheme = scheme_of<Dim>(c.method.scheme);
+  scheme.settle(state, engine);
   Recorder<Dim> recorder(c, state, world, options.folder, &team);
   recorder.begin(state);
 
@@ -101,7 +102,7 @@ int simulate(const LoadedCase& loaded, const SimulationOptions& options, const p
   };
   double dt = 0;
   try {
-    march(c, state, engine, recorder, reporter, dt);
+    march(c, scheme, state, engine, recorder, reporter, dt);
   } catch (const PhysicsError& e) {
     recorder.abandon(state);
     const auto folder = write_crash(options, state, dt, world.rank(), e.what());

@@ -14,6 +14,7 @@ namespace recoil::app {
 
 namespace {
 
+constexpr double round_off = 1e-10;  // of a reference or a limit: an error below it has no order
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double in_unit(double si, const std::string& unit) { return unit.empty() ? si : config::in_unit(si, unit); }
@@ -45,10 +46,12 @@ StudyRow row_of(const StudyTable& table, std::size_t q) {
     for (const double v : values) errors.push_back(is_error ? std::abs(v) : std::abs(v - row.reference));
     row.error.push_back(mean_of(errors));
   }
+  const StudyValue& first = table.runs.front().values[q];
+  const double scale = std::abs(is_error ? first.limit : row.reference);
   for (std::size_t i = 0; i < row.sizes.size(); ++i) {
     row.from_finest.push_back(std::abs(row.mean[i] - row.mean.back()) / std::abs(row.mean.back()));
-    const bool none =
-        i == 0 || row.quantity.starts_with("budget.") || !(row.error[i] > 0) || !(row.error[i - 1] > 0);
+    const bool none = i == 0 || row.quantity.starts_with("budget.") ||
+                      !(std::min(row.error[i], row.error[i - 1]) > round_off * scale);
     row.order.push_back(none ? nothing
                              : std::log(row.error[i - 1] / row.error[i]) /
                                    std::log(row.sizes[i - 1] / row.sizes[i]));

@@ -73,7 +73,7 @@ struct Body {
 };
 
 struct Gauge {
-  enum class Kind { surface_velocity, point, body, contact };
+  enum class Kind { surface_velocity, point, body, contact, bar, attitude, peak_stress };
   std::string name;
   Kind kind = Kind::body;
   std::string body;                 // surface_velocity, point, body
@@ -83,6 +83,9 @@ struct Gauge {
   Place place;
   double radius = 0;   // m: contact, only what lies so near to `at`; 0: all of it
   Vector direction{};  // contact: unit vector along which force and impulse are also given; zero: none
+  std::string wall;    // bar: what its foot stands on
+  Vector to{};         // m: end of the line of a peak_stress
+  int stations = 0;    // on that line
 };
 
 struct Output {
@@ -110,7 +113,8 @@ struct Contact {
 };
 
 struct Method {
-  std::string scheme = "conservative";
+  std::string scheme = "conservative";  // conservative, ghost-fluid, seed
+  double kappa = 0.5;                   // [dx] distance at which bodies meet; seed only
 };
 
 /// One acceptance check of [expect] or expected.toml.

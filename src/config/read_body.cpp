@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/closest.hpp"
+#include "core/error.hpp"
 
 namespace recoil::config {
 
@@ -145,33 +146,56 @@ void report_unknown_body(const Place& place, const std::string& name, const std:
             !near.empty() ? near : fmt::format("the bodies are: {}", fmt::join(names, ", ")));
 }
 
-void check_inside(const Gauge& gauge, const Place& place, const Domain& domain, const CaseReading& in) {
+void check_inside(const Gauge& gauge, const Vector& at, const Place& place, const Domain& domain,
+                  const CaseReading& in) {
   for (std::size_t d = 0; d < in.axes.size(); ++d) {
     if (domain.lo[d] >= domain.hi[d]) continue;  // reported already
-    if (gauge.at[d] >= domain.lo[d] && gauge.at[d] <= domain.hi[d]) continue;
+    if (at[d] >= domain.lo[d] && at[d] <= domain.hi[d]) continue;
     in.out.error(
         place,
         fmt::format("gauge '{}' lies outside the domain: {} = {:.6g} mm, the domain reaches from {:.6g} "
                     "to {:.6g} mm",
-                    gauge.name, in.axes[d], 1e3 * gauge.at[d], 1e3 * domain.lo[d], 1e3 * domain.hi[d]),
+                    gauge.name, in.axes[d], 1e3 * at[d], 1e3 * domain.lo[d], 1e3 * domain.hi[d]),
         "move it, or make the domain larger");
   }
 }
 
 /// A unit vector; in 1d there is only one direction.
 Vector read_direction(const Record& record, const CaseReading& in) {
-  Vector v = record.vector3("direction");
-  const double size = std::hypot(v[0], v[1], v[2]);
+  const Vector v = record.vector3("direction");
   if (in.geometry == Geometry::line)
     in.out.error(record.key_place("direction"), "'direction' means nothing for geometry \"1d\"",
                  "take it out: force.x and impulse.x say it all");
-  else if (!(size > 0))
+  else if (v == Vector{})
     in.out.error(record.key_place("direction"), "'direction' has no direction: all its components are 0",
                  "e.g. direction = { x = 1, y = 1 }");
-  const bool is_unit = std::abs(size - 1) < 1e-14;  // as written by a resolved case: to be read back equal
-  if (size > 0 && !is_unit)
-    for (double& c : v) c /= size;
-  return v;
+  return normalised(v);
+}
+
+Gauge::Kind kind_of_gauge(const std::string& name) {
+  using enum Gauge::Kind;
+  constexpr std::pair<const char*, Gauge::Kind> kinds[] = {{"surface-velocity", surface_velocity},
+                                                           {"point", point},
+                                                           {"body", body},
+                                                           {"contact", contact},
+                                                           {"bar", bar},
+                                                           {"attitude", attitude},
+                                                           {"peak-stress", peak_stress}};
+  for (const auto& [word, kind] : kinds)
+    if (name == word) return kind;
+  throw InternalError("internal error: no gauge of kind '" + name + "'");
+}
+
+/// A bar has an axis and a radius; a body turns and points somewhere in a plane.
+void check_geometry(const Gauge& gauge, const std::string& kind, const CaseReading& in) {
+  const bool bar = gauge.kind == Gauge::Kind::bar, attitude = gauge.kind == Gauge::Kind::attitude;
+  const bool round = in.geometry == Geometry::axisymmetric || in.geometry == Geometry::space;
+  const bool turns = in.geometry == Geometry::planar || in.geometry == Geometry::space;
+  if ((bar && !round) || (attitude && !turns))
+    in.out.error(
+        gauge.place,
+        fmt::format("a gauge of kind \"{}\" has no meaning in {} geometry", kind, name_of(in.geometry)),
+        bar ? "it needs axisymmetric or 3d" : "it needs planar or 3d");
 }
 
 Gauge read_gauge(const Node& node, const std::vector<std::string>& names, const Domain& domain,
@@ -184,11 +208,9 @@ Gauge read_gauge(const Node& node, const std::vector<std::string>& names, const 
   if (!record.good("kind")) return gauge;
   const std::string& kind = record.text("kind");
   using enum Gauge::Kind;
-  gauge.kind = kind == "surface-velocity" ? surface_velocity
-               : kind == "point"          ? point
-               : kind == "body"           ? body
-                                          : contact;
-  const bool needs_at = gauge.kind == surface_velocity || gauge.kind == point;
+  gauge.kind = kind_of_gauge(kind);
+  const bool has_line = gauge.kind == peak_stress;
+  const bool needs_at = gauge.kind == surface_velocity || gauge.kind == point || has_line;
   const auto check_use = [&](const char* key, bool used, const std::string& example) {
     if (used && !record.has(key))
       in.out.error(node.key_place, fmt::format("'{}' is missing in [{}]", key, node.path),
@@ -209,11 +231,29 @@ Gauge read_gauge(const Node& node, const std::vector<std::string>& names, const 
   const bool part = gauge.kind == contact && (record.has("at") || record.has("radius"));
   if (check_use("at", needs_at || part, fmt::format("{{ {} = \"1 mm\" }}", in.axes.front()))) {
     gauge.at = record.vector3("at");
-    check_inside(gauge, record.place("at"), domain, in);
+    check_inside(gauge, gauge.at, record.place("at"), domain, in);
   }
   if (check_use("radius", part, "\"2 mm\"")) gauge.radius = record.number("radius");
   if (record.has("direction") && check_use("direction", gauge.kind == contact, ""))
     gauge.direction = read_direction(record, in);
+  if (check_use("wall", gauge.kind == bar, "\"wall\"")) {
+    gauge.wall = record.text("wall");
+    if (std::find(names.begin(), names.end(), gauge.wall) == names.end())
+      report_unknown_body(record.place("wall"), gauge.wall, names, in.out);
+    else if (gauge.wall == gauge.body)
+      in.out.error(record.place("wall"), fmt::format("'{}' cannot stand on itself", gauge.body),
+                   "name the other body of the impact");
+  }
+  if (check_use("to", has_line, fmt::format("{{ {} = \"10 mm\" }}", in.axes.front()))) {
+    gauge.to = record.vector3("to");
+    check_inside(gauge, gauge.to, record.place("to"), domain, in);
+    if (gauge.to == gauge.at)
+      in.out.error(record.place("to"), "the line from 'at' to 'to' has no length", "move its end");
+  }
+  if (has_line) gauge.stations = static_cast<int>(record.integer("stations"));
+  for (const char* key : {"stations", "every"})
+    if (record.has(key) && has_line == (std::string_view(key) == "every")) check_use(key, false, "");
+  check_geometry(gauge, kind, in);
   return gauge;
 }
 

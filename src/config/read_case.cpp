@@ -136,6 +136,16 @@ Output read_output(const Node& node, Diagnostics& out) {
   return {fields.number("every"), fields.texts("variables"), history.number("every")};
 }
 
+Method read_method(const Node& node, Diagnostics& out) {
+  const Record record = read_record(node, keys_of("method"), out);
+  const Method method{record.text("scheme"), record.number("kappa")};
+  if (record.has("kappa") && method.scheme != "seed")
+    out.error(record.key_place("kappa"),
+              fmt::format("'kappa' has no meaning for scheme = \"{}\"", method.scheme),
+              "take it out, or use scheme = \"seed\": the other schemes close gaps without a tolerance");
+  return method;
+}
+
 /// A newer file may hold anything, so it is not read any further.
 bool check_format(const Document& document, Diagnostics& out) {
   const Node* node = document.root.find("format");
@@ -145,6 +155,17 @@ bool check_format(const Document& document, Diagnostics& out) {
                         case_format),
             "use a newer recoil");
   return false;
+}
+
+/// The ghost-fluid schemes know frictionless contact that parts, and nothing else.
+void check_contact_of_scheme(const Case& c, const Node& root, Diagnostics& out) {
+  using enum ContactChoice::Mode;
+  bool other = c.contact.usual.mode != separable;
+  for (const Contact::Pair& p : c.contact.pairs) other = other || p.choice.mode != separable;
+  if (!other || c.method.scheme == "conservative") return;
+  out.error(root.find("contact")->key_place,
+            fmt::format("scheme = \"{}\" knows separable contact without friction only", c.method.scheme),
+            "use scheme = \"conservative\"");
 }
 
 void read_sections(const Node& root, const Record& top, Case& c, Diagnostics& out) {
@@ -157,12 +178,13 @@ void read_sections(const Node& root, const Record& top, Case& c, Diagnostics& ou
   if (top.good("mesh")) read_mesh(*root.find("mesh"), c.domain, c.mesh, in);
   if (top.good("time")) c.time = read_time(*root.find("time"), out);
   c.output = read_output(table_or_empty(root, "output"), out);
-  c.method.scheme = read_record(table_or_empty(root, "method"), keys_of("method"), out).text("scheme");
+  c.method = read_method(table_or_empty(root, "method"), out);
   c.expect = read_expectations(table_or_empty(root, "expect"), out);
   // Without a domain the coordinates are not known: bodies would only give errors that follow from that one.
   if (!top.good("domain") || !top.good("body")) return;
   c.bodies = read_bodies(*root.find("body"), in);
   c.contact = read_contact(table_or_empty(root, "contact"), c.bodies, out);
+  check_contact_of_scheme(c, root, out);
   c.gauges = read_gauges(table_or_empty(root, "gauge"), c.bodies, c.domain, in);
   check_expected_names(c.expect, c.bodies, c.gauges, out);
 }

@@ -24,6 +24,14 @@ std::vector<std::string> axes_of(Geometry geometry) {
   throw InternalError("internal error: unknown geometry");
 }
 
+Vector normalised(Vector v) {
+  const double size = std::hypot(v[0], v[1], v[2]);
+  constexpr double round_off = 1e-14;
+  if (size > 0 && std::abs(size - 1) > round_off)
+    for (double& c : v) c /= size;
+  return v;
+}
+
 std::string name_of(Geometry geometry) {
   constexpr std::array names{"1d", "planar", "axisymmetric", "3d"};
   return names[static_cast<std::size_t>(geometry)];
@@ -85,14 +93,9 @@ struct ShapeReader {
   }
 
   Vector unit_vector(const std::string& key) const {
-    Vector v = record.vector3(key);
-    const double size = std::hypot(v[0], v[1], v[2]);
-    if (size > 0) {
-      for (double& c : v) c /= size;
-    } else if (record.good(key)) {
-      refuse(key, "has no direction: all its components are 0");
-    }
-    return v;
+    const Vector v = record.vector3(key);
+    if (v == Vector{} && record.good(key)) refuse(key, "has no direction: all its components are 0");
+    return normalised(v);
   }
 
   void on_axis(const Shape& shape) const {

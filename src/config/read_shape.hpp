@@ -19,6 +19,10 @@ struct CaseReading {
 
 /// Names of the coordinates: {"r", "z"} for axisymmetric.
 std::vector<std::string> axes_of(Geometry geometry);
+/// A vector of length 1 in the direction of v, or v where it has none. What is one already, as a resolved
+/// case has it, stays as it is, so that it reads back equal.
+Vector normalised(Vector v);
+
 /// "planar", ... as in a case file.
 std::string name_of(Geometry geometry);
 

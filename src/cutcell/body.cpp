@@ -21,7 +21,8 @@ std::vector<std::pair<const char*, std::int64_t*>> Counters::list() {
           {"capped-speeds", &capped_speeds},
           {"volume-bounds", &volume_bounds},
           {"volume-bounds-left", &volume_bounds_left},
-          {"floored-sound-speeds", &floored_sound_speeds}};
+          {"floored-sound-speeds", &floored_sound_speeds},
+          {"contacts-lost", &contacts_lost}};
 }
 
 template <int Dim>

@@ -40,6 +40,7 @@ struct BodyBlock {
   std::vector<Donor<Dim>> donors;
   std::vector<GhostCell<Dim>> ghosts;
   std::vector<Update<Dim>> updates;
+  std::vector<double> contents_sum;  // of the stages of the classical Runge-Kutta rule; empty without it
 };
 
 template <int Dim>
@@ -59,7 +60,8 @@ struct Body {
 struct Counters {
   std::int64_t first_order_faces = 0, faces_without_value = 0, cuts_without_donor = 0, averaged_states = 0,
                wide_neighbourhoods = 0, widest_neighbourhoods = 0, unmerged_pieces = 0, lone_pieces_moved = 0,
-               capped_speeds = 0, volume_bounds = 0, volume_bounds_left = 0, floored_sound_speeds = 0;
+               capped_speeds = 0, volume_bounds = 0, volume_bounds_left = 0, floored_sound_speeds = 0,
+               contacts_lost = 0;
 
   Counters& operator+=(const Counters& b);
   /// Name and count of each, in a fixed order.

@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "cutcell/geometry.hpp"
-#include "dynamics/flux.hpp"
+#include "cutcell/whole_cells.hpp"
+#include "dynamics/flux_llf.hpp"
 
 namespace recoil {
 
@@ -22,6 +23,7 @@ struct Work {
   std::size_t n = 0, wide = 0;  // of those cells, of the window's
   double *primitive = nullptr, *impedance = nullptr, *stress = nullptr;
   std::uint8_t* role = nullptr;  // null where every cell has a value
+  bool whole = false;            // cells are whole and real, or not there at all (ghost fluid)
   double* rate = nullptr;        // [contents]
   double* gradient = nullptr;    // [i * Dim + j]: integral of du_i/dx_j
   double* radial = nullptr;      // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
@@ -60,8 +62,24 @@ void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double 
   }
 }
 
+/// The scheme of the faces: face_fluxes() of dynamics/flux.hpp or of dynamics/flux_llf.hpp.
+struct WenoHllc {
+  static constexpr bool by_cells = true;  // reconstructs once per cell for both its faces
+  template <int Dim, int Axis, bool Shear, class EosModel>
+  static int fluxes(const EosModel& eos, double g, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+    return face_fluxes<Dim, Axis, Shear>(eos, g, in, out);
+  }
+};
+struct EnoLlf {
+  static constexpr bool by_cells = false;
+  template <int Dim, int Axis, bool Shear, class EosModel>
+  static int fluxes(const EosModel& eos, double g, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+    return face_fluxes_llf<Dim, Axis, Shear>(eos, g, in, out);
+  }
+};
+
 /// A face whose stencil lacks values: the nearest value stands in for those beyond it.
-template <int Dim, int Axis, bool Shear, class EosModel>
+template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
 void poor_face(const EosModel& eos, double g, const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step,
                const FaceFlux<Dim>& out, Counters& counters) {
   using C = Components<Dim>;
@@ -94,7 +112,7 @@ void poor_face(const EosModel& eos, double g, const Work<Dim>& w, std::ptrdiff_t
     impedance[s] = w.impedance[from[s]];
   }
   const Row<Dim> row{value.data(), stress.data(), impedance.data(), 6, 3, 1, 1};
-  counters.first_order_faces += face_fluxes<Dim, Axis, Shear>(eos, g, row, out);
+  counters.first_order_faces += Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out);
 }
 
 template <int Dim>
@@ -192,8 +210,32 @@ void solve_across_rows(const EosModel& eos, double g, const Work<Dim>& w, const 
   });
 }
 
+/// Faces of a scheme that knows rows of faces only.
+template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
+void solve_row_by_row(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+                      Counters& counters) {
+  const std::ptrdiff_t step = w.window.stride(Axis);
+  Box<Dim> rows = out.box;
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](const Index<Dim>& r) {
+    const int at_face = out.box.at(r), at_cell = w.window.at(r);
+    const Span open = open_span(out.area + at_face, out.box.extent(0));
+    for (int from = open.lo; from < open.hi; from += longest_row) {
+      const Row<Dim> row{w.primitive,
+                         w.stress,
+                         w.impedance,
+                         w.wide,
+                         at_cell + from,
+                         step,
+                         std::min(open.hi - from, longest_row)};
+      counters.first_order_faces +=
+          Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out.flux_at(at_face + from));
+    }
+  });
+}
+
 /// Nothing passes closed faces; those whose stencil lacks values are done on their own.
-template <int Dim, int Axis, bool Shear, class EosModel>
+template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
 void mend_faces(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
                 Counters& counters) {
   using C = Components<Dim>;
@@ -209,14 +251,26 @@ void mend_faces(const EosModel& eos, double g, const Work<Dim>& w, const Faces<D
         for (std::size_t c = 0; c < C::contents; ++c) out.flux.flux[c * out.flux.faces + face] = 0;
         for (std::size_t d = 0; d < Dim; ++d) out.flux.velocity[d * out.flux.faces + face] = 0;
       } else if (w.role && !complete(w, at_cell + i, step)) {
-        poor_face<Dim, Axis, Shear>(eos, g, w, at_cell + i, step, out.flux_at(at_face + i), counters);
+        poor_face<Dim, Axis, Shear, Scheme>(eos, g, w, at_cell + i, step, out.flux_at(at_face + i), counters);
       }
     }
   });
 }
 
+/// All faces of real cells are open, those between two others are not there.
+template <int Dim>
+void whole_areas(const Work<Dim>& w, const Box<Dim>& faces, int axis, double* area) {
+  const std::ptrdiff_t step = w.window.stride(axis);
+  int k = 0;
+  for_each(faces, [&](const Index<Dim>& i) {
+    const std::ptrdiff_t at = w.window.at(i);
+    const bool open = !w.role || ((w.role[at] | w.role[at - step]) & regular) != 0;
+    area[k++] = open ? w.grid.full_area(i, axis) : 0;
+  });
+}
+
 /// Fluxes through all faces across one axis, their open areas, and what they add to the block's cells.
-template <int Dim, int Axis, bool Shear, class EosModel>
+template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
 void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Dim>& w, double booked,
            Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   using C = Components<Dim>;
@@ -238,14 +292,19 @@ void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Di
       for (std::size_t k = 0; k < w.wide; ++k) w.stress[k] = a[k] - p[k];
     }
   }
-  open_areas(w.grid, w.window, geometry, Axis, area);
+  if (w.whole)
+    whole_areas(w, faces, Axis, area);
+  else
+    open_areas(w.grid, w.window, geometry, Axis, area);
 
   const Faces<Dim> out{faces, area, {flux, velocity, nf, 0}};
-  if constexpr (Axis == 0)
+  if constexpr (!Scheme::by_cells)
+    solve_row_by_row<Dim, Axis, Shear, Scheme>(eos, g, w, out, counters);
+  else if constexpr (Axis == 0)
     solve_along_rows<Dim, Shear>(eos, g, w, out, counters);
   else
     solve_across_rows<Dim, Axis, Shear>(eos, g, w, out, counters);
-  mend_faces<Dim, Axis, Shear>(eos, g, w, out, counters);
+  mend_faces<Dim, Axis, Shear, Scheme>(eos, g, w, out, counters);
 
   const std::ptrdiff_t next = faces.stride(Axis);
   Box<Dim> cell_rows = w.cells;
@@ -328,7 +387,8 @@ template <int Dim>
 void axisymmetric_cell(const BodyBlock<Dim>& b, Work<Dim>& w, const Index<Dim>& i) {
   using C = Components<Dim>;
   const auto k = static_cast<std::size_t>(w.cells.at(i)), cell = static_cast<std::size_t>(w.window.cell(i));
-  const CellKind kind = b.geometry.kind[cell];
+  const bool real = !w.role || (w.role[w.window.at(i)] & regular) != 0;
+  const CellKind kind = w.whole ? (real ? CellKind::full : CellKind::empty) : b.geometry.kind[cell];
   if (kind == CellKind::empty) return;
   const double* value = w.primitive + w.window.at(i);
   const double dx = w.grid.dx;
@@ -383,7 +443,7 @@ template <int Dim>
 
 template <int Dim>
 void add_sources(const BodyBlock<Dim>& b, double g, Work<Dim>& w, Scratch& scratch) {
-  borrow_wall_values(b, w);
+  if (!w.whole) borrow_wall_values(b, w);
   double* trace = scratch.take_filled<double>(w.n, 0);
   for (std::size_t d = 0; d < Dim; ++d)
     for (std::size_t k = 0; k < w.n; ++k) trace[k] += w.gradient[(d * Dim + d) * w.n + k];
@@ -421,26 +481,55 @@ void add_rates(BodyBlock<Dim>& b, const Work<Dim>& w, double dt) {
   });
 }
 
-template <int Dim, bool Shear, class EosModel>
-void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, double dt, double share,
-            Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+/// What flows into cells that are not real is lost: their values follow from the real ones.
+template <int Dim>
+void drop_outside(Work<Dim>& w) {
+  if (!w.role) return;
+  for_each(w.cells, [&](const Index<Dim>& i) {
+    if ((w.role[w.window.at(i)] & regular) != 0) return;
+    const auto k = static_cast<std::size_t>(w.cells.at(i));
+    for (std::size_t c = 0; c < Components<Dim>::contents; ++c) w.rate[c * w.n + k] = 0;
+  });
+}
+
+template <int Dim, bool Shear, class Scheme, class EosModel>
+void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, Cells cells, double dt,
+            double share, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
   const double g = shear_modulus(body.material);
   Work<Dim> w{state.grid(), Window<Dim>(state.mesh, slot, reach, b.matter), b.matter};
   w.n = static_cast<std::size_t>(w.cells.size());
   w.wide = static_cast<std::size_t>(w.window.size());
+  w.whole = cells == Cells::whole;
   gather_values(body, slot, eos, g, w, scratch);
   w.rate = scratch.take_filled<double>(w.n * C::contents, 0);
   w.gradient = scratch.take_filled<double>(w.n * Dim * Dim, 0);
   w.radial = scratch.take_filled<double>(state.grid().axisymmetric ? w.n * 2 : 1, 0);
   const double booked = share * dt;
-  sweep<Dim, 0, Shear>(eos, g, b.geometry, w, booked, edges, counters, scratch);
-  if constexpr (Dim > 1) sweep<Dim, 1, Shear>(eos, g, b.geometry, w, booked, edges, counters, scratch);
-  if constexpr (Dim > 2) sweep<Dim, 2, Shear>(eos, g, b.geometry, w, booked, edges, counters, scratch);
-  add_walls(b, w, dt);
+  sweep<Dim, 0, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
+  if constexpr (Dim > 1)
+    sweep<Dim, 1, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
+  if constexpr (Dim > 2)
+    sweep<Dim, 2, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
+  if (!w.whole) add_walls(b, w, dt);
   add_sources(b, g, w, scratch);
+  if (w.whole) drop_outside(w);
   add_rates(b, w, dt);
+}
+
+template <class Scheme, int Dim>
+void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, double dt, double share,
+                 Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+  if (body.at(slot).matter.size() == 0) return;
+  std::visit(
+      [&](const auto& eos) {
+        if (has_strength(body.material.strength))
+          update<Dim, true, Scheme>(state, eos, body, slot, cells, dt, share, edges, counters, scratch);
+        else
+          update<Dim, false, Scheme>(state, eos, body, slot, cells, dt, share, edges, counters, scratch);
+      },
+      body.material.eos);
 }
 
 }  // namespace
@@ -448,20 +537,23 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
 template <int Dim>
 void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt, double share,
                   Account<Dim>& edges, Counters& counters, Scratch& scratch) {
-  if (body.at(slot).matter.size() == 0) return;
-  std::visit(
-      [&](const auto& eos) {
-        if (has_strength(body.material.strength))
-          update<Dim, true>(state, eos, body, slot, dt, share, edges, counters, scratch);
-        else
-          update<Dim, false>(state, eos, body, slot, dt, share, edges, counters, scratch);
-      },
-      body.material.eos);
+  update_with<WenoHllc>(state, body, slot, Cells::cut, dt, share, edges, counters, scratch);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                      \
-  template void update_block<Dim>(const State<Dim>&, Body<Dim>&, int, double, double, Account<Dim>&, \
-                                  Counters&, Scratch&);
+template <int Dim>
+void update_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, FaceScheme scheme, double dt,
+                        double share, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+  if (scheme == FaceScheme::eno_llf)
+    update_with<EnoLlf>(state, body, slot, Cells::whole, dt, share, edges, counters, scratch);
+  else
+    update_with<WenoHllc>(state, body, slot, Cells::whole, dt, share, edges, counters, scratch);
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                         \
+  template void update_block<Dim>(const State<Dim>&, Body<Dim>&, int, double, double, Account<Dim>&,    \
+                                  Counters&, Scratch&);                                                 \
+  template void update_whole_cells<Dim>(const State<Dim>&, Body<Dim>&, int, FaceScheme, double, double, \
+                                        Account<Dim>&, Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

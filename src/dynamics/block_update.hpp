@@ -17,4 +17,17 @@ template <int Dim>
 void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt, double share,
                   Account<Dim>& edges, Counters& counters, Scratch& scratch);
 
+/// How fluxes through faces are found.
+enum class FaceScheme {
+  weno_hllc,  // WENO5-Z and an elastic HLLC solver (dynamics/flux.hpp)
+  eno_llf     // convex ENO3 and local Lax-Friedrichs (dynamics/flux_llf.hpp)
+};
+
+/// One Euler substage of a ghost-fluid scheme: as update_block(), but for whole cells. Cells are real
+/// (Role::regular) with all their faces open, or not there; what crosses a face between the two changes the
+/// real cell only, so that nothing is conserved at surfaces. Ghost values carry the conditions there.
+template <int Dim>
+void update_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, FaceScheme scheme, double dt,
+                        double share, Account<Dim>& edges, Counters& counters, Scratch& scratch);
+
 }  // namespace recoil

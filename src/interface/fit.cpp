@@ -149,6 +149,7 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& 
   using C = Components<Dim>;
   constexpr std::size_t count = EosModel::barotropic ? C::primitives : C::contents;
   const Donor<Dim>* const donors = b.donors.data() + wall.first_donor;
+  double mean_p = 0;
   for (std::size_t c = 0; c < count; ++c) {
     double base = 0, mean = 0, low = 0, high = 0;
     Vec<Dim> gradient;
@@ -168,9 +169,9 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& 
     wall.gradient[c] = gradient;
     const double at_surface = mean - dot(gradient, wall.donor_centre), slack = 0.5 * (high - low);
     wall.value[c] = c == C::rho || c >= C::ep ? mean : std::clamp(at_surface, low - slack, high + slack);
-    if (c == C::p) wall.range[C::extra] = mean;  // kept for the density below
+    if (c == C::p) mean_p = mean;
   }
-  const double rho = wall.value[C::rho], mean_p = wall.range[C::extra];
+  const double rho = wall.value[C::rho];
   const double c0 = bulk_sound_speed(eos),
                c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_sound * c0 * c0);
   wall.value[C::rho] = rho + std::clamp((wall.value[C::p] - mean_p) / c2, -0.4 * rho, 0.6 * rho);

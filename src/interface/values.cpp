@@ -40,6 +40,15 @@ bool read_by_a_face(const Body<Dim>& body, const Window<Dim>& w, const CellKind*
   return false;
 }
 
+/// Whether cell i, which is not real, is within three of the face of a real cell, along its axis.
+template <int Dim>
+bool read_by_a_real_cell(const Window<Dim>& w, const std::uint8_t* role, const Index<Dim>& i) {
+  for (int d = 0; d < Dim; ++d)
+    for (int o = 1; o <= layers; ++o)
+      if (((role[w.at(i) + o * w.stride(d)] | role[w.at(i) - o * w.stride(d)]) & regular) != 0) return true;
+  return false;
+}
+
 /// The nearest wall with a fit to a foot point.
 template <int Dim>
 void attach_wall(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, const int* index,
@@ -220,6 +229,11 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
   held -= dot(held, n) * n;
   x.shear = held - s.shear;
   if (s.shear_impedance > 0) x.sliding = x.shear * (1 / s.shear_impedance);
+  // A surface without shear traction still turns: a constant tangential velocity would brake a spinning body.
+  for (int d = 0; d < Dim; ++d) {
+    const double change = std::clamp(g.sliding[d] * ghost.distance, -most_u, most_u);
+    x.sliding[d] += own[d] == n[d] ? change : -change;
+  }
   apply(v, x, n);
   return v;
 }
@@ -227,7 +241,7 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
 }  // namespace
 
 template <int Dim>
-void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
+void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.ghosts.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
@@ -243,9 +257,16 @@ void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& 
            CellKind::empty, Beyond::extend, kind);
   w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1,
            Beyond::mirror, index);
+  std::uint8_t* role = nullptr;
+  if (cells == Cells::whole) {
+    role = scratch.take<std::uint8_t>(n);
+    w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
+             Beyond::extend, role);
+  }
   for_each(w.inner(), [&](const Index<Dim>& i) {
     const int cell = w.cell(i);
-    if ((b.role[static_cast<std::size_t>(cell)] & regular) != 0 || !read_by_a_face(body, w, kind, i)) return;
+    if ((b.role[static_cast<std::size_t>(cell)] & regular) != 0) return;
+    if (role ? !read_by_a_real_cell(w, role, i) : !read_by_a_face(body, w, kind, i)) return;
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
     GhostCell<Dim> ghost;
     ghost.cell = cell;
@@ -285,8 +306,8 @@ void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Cou
   }
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                   \
-  template void choose_ghosts<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&); \
+#define RECOIL_INSTANTIATE(Dim)                                                          \
+  template void choose_ghosts<Dim>(const State<Dim>&, Body<Dim>&, int, Cells, Scratch&); \
   template void fill_stencil_values<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

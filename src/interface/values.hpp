@@ -1,15 +1,16 @@
 #pragma once
 
 #include "core/scratch.hpp"
-#include "cutcell/body.hpp"
+#include "cutcell/whole_cells.hpp"
 
 namespace recoil {
 
 /// Lists the cells of a block that a reconstruction reads but whose pieces are too small to stand for
 /// themselves (within three of an open face, along its axis), each with the nearest cut cell, whose wall
 /// speaks for it. Once a step. Writes BodyBlock::ghosts.
+/// @param cells whole: the faces of real cells (Role::regular) are the open ones.
 template <int Dim>
-void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
+void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, Scratch& scratch);
 
 /// Turns averages into the values that reconstructions read in this stage (BodyBlock::average, Role::valued),
 /// in place: regular uncut cells keep their average; regular cut cells their average moved from the centroid

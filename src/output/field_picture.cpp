@@ -250,6 +250,7 @@ Image field_picture(const FieldPicture& picture) {
   paint_field(image, picture, l);
   draw_outlines(image, picture, l, picture.mesh_lines, {.colour = {40, 44, 52}, .width = 1.0, .alpha = 0.28});
   draw_outlines(image, picture, l, picture.outlines, {.colour = {24, 26, 30}, .width = 2.2});
+  draw_outlines(image, picture, l, picture.references, {.colour = {240, 110, 30}, .width = 1.8});
   draw_axes(image, l.frame);
   paint_bar(image, picture, l);
   label_bar(image, picture, l);

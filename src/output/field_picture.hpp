@@ -33,6 +33,7 @@ struct FieldPicture {
   std::string x_title = "x [mm]", y_title = "y [mm]";
   double x_scale = 1e3, y_scale = 1e3;     ///< from the data's unit to the one in the title
   int max_width = 1200, max_height = 900;  ///< of the whole picture [pixels]
+  std::vector<Outline> references{};       ///< drawn orange, on top: what the outlines are compared with
 };
 
 /// Draws it. @throws InternalError where values (or level_set) are not nx * ny, or a size is not positive.

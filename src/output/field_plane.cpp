@@ -93,7 +93,7 @@ bool holds_matter(const UnstructuredGrid& grid, const std::vector<double>& phi) 
 
 }  // namespace
 
-ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<double> time_s) {
+std::vector<ChosenDump> all_dumps(const std::filesystem::path& directory) {
   std::vector<std::filesystem::path> found;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(directory / "fields", ignored))
@@ -103,11 +103,17 @@ ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<dou
   if (!found.empty()) entries = read_series(found.front());
   if (entries.empty())
     throw InputError(fmt::format("error: there are no fields in '{}'", directory.string()));
-  const double wanted = time_s.value_or(entries.back().time_s);
-  const auto nearest = std::min_element(entries.begin(), entries.end(), [&](const auto& p, const auto& q) {
+  std::vector<ChosenDump> dumps;
+  for (const SeriesEntry& e : entries) dumps.push_back({directory / "fields" / e.name, e.time_s});
+  return dumps;
+}
+
+ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<double> time_s) {
+  const std::vector<ChosenDump> dumps = all_dumps(directory);
+  const double wanted = time_s.value_or(dumps.back().time_s);
+  return *std::min_element(dumps.begin(), dumps.end(), [&](const auto& p, const auto& q) {
     return std::abs(p.time_s - wanted) < std::abs(q.time_s - wanted);
   });
-  return {directory / "fields" / nearest->name, nearest->time_s};
 }
 
 FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const RunUnits& units, double z) {

@@ -17,6 +17,9 @@ struct ChosenDump {
   double time_s = 0;
 };
 
+/// All dumps of `directory`/fields, in order. @throws InputError where there are none.
+std::vector<ChosenDump> all_dumps(const std::filesystem::path& directory);
+
 /// The dump nearest to a time [s] (none: the last) among those of `directory`/fields. @throws InputError
 /// where there are none.
 ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<double> time_s);

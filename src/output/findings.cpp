@@ -83,6 +83,7 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
 std::vector<GaugeSummary> summarise(const std::vector<TimeSeries>& gauges) {
   std::vector<GaugeSummary> all;
   for (const TimeSeries& s : gauges) {
+    if (s.over.unit != "us") continue;  // a peak and an arrival have a time
     const Curve main = curve_of(s, 0);
     const SeriesColumn& c = s.columns[0];
     all.push_back({s.name, c.name, c.unit, c.to_unit, peak_of(main), arrival_of(main)});

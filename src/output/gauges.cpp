@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "output/contact_cells.hpp"
@@ -87,6 +88,23 @@ std::vector<SeriesColumn> columns_of(Kind kind, const RunUnits& units, bool dire
     case Kind::contact:
       contact_columns(list, units, directed);
       break;
+    case Kind::bar:
+      for (const char* name :
+           {"length", "foot-radius", "radius", "volume-radius", "contact-radius", "lift-off"})
+        list.one(name, "mm", 1e3);
+      for (const char* name : {"plastic-strain", "axis-plastic-strain"}) list.one(name, "1");
+      list.one("rim-lift-off", "mm", 1e3);
+      break;
+    case Kind::attitude:
+      for (const char* name : {"inclination", "inclination.front-half", "inclination.front-third", "course"})
+        list.one(name, "deg", 180 / std::numbers::pi);
+      for (const char* name : {"speed", "head.x", "head.y"}) list.one(name, "m/s");
+      list.one("spin", "rad/s");
+      break;
+    case Kind::peak_stress:
+      list.one("stress", "GPa", 1e-9);
+      list.one("time", "us", 1e6);
+      break;
   }
   return list.columns;
 }
@@ -101,7 +119,11 @@ void append(std::vector<double>& row, const Vec<Dim>& v) {
 template <int Dim>
 Gauges<Dim>::Gauges(const config::Case& c, const State<Dim>& state, const parallel::World& world,
                     const std::filesystem::path& folder, OrderedSums& sums)
-    : world_(world), units_(run_units(c.domain.geometry)), dx_(state.grid().dx) {
+    : world_(world),
+      units_(run_units(c.domain.geometry)),
+      grid_(state.grid()),
+      dx_(state.grid().dx),
+      folder_(folder) {
   for (const config::Gauge& from : c.gauges) {
     Gauge g{.kind = from.kind,
             .due = Due(from.every),
@@ -123,24 +145,51 @@ Gauges<Dim>::Gauges(const config::Case& c, const State<Dim>& state, const parall
     } else {
       g.body = number_of(state, from.body);
     }
-    if (g.kind == Kind::surface_velocity) g.item = sums.item(surface_sums<Dim>);
-    if (g.kind == Kind::point) g.item = sums.item(point_sums<Dim>);
-    if (g.kind == Kind::contact) g.item = sums.item(At<Dim>::sums, 2);
-    g.point.body = g.body;
-    for (int d = 0; d < Dim; ++d) {
-      g.point.at[d] = from.at[static_cast<std::size_t>(d)];
-      g.direction[d] = from.direction[static_cast<std::size_t>(d)];
-    }
+    declare(g, from, c.bodies, state, sums);
     if (world.rank() == 0) open(g, folder);
     gauges_.push_back(std::move(g));
   }
 }
 
 template <int Dim>
+void Gauges<Dim>::declare(Gauge& g, const config::Gauge& from, const std::vector<config::Body>& bodies,
+                          const State<Dim>& state, OrderedSums& sums) {
+  g.point.body = g.body;
+  for (int d = 0; d < Dim; ++d) {
+    g.point.at[d] = from.at[static_cast<std::size_t>(d)];
+    g.direction[d] = from.direction[static_cast<std::size_t>(d)];
+  }
+  if (g.kind == Kind::contact) g.item = sums.item(At<Dim>::sums, 2);
+  if (g.kind == Kind::surface_velocity) g.item = sums.item(surface_sums<Dim>);
+  if (g.kind == Kind::point) g.item = sums.item(point_sums<Dim>);
+  if (g.kind == Kind::attitude) g.item = sums.item(attitude_sums);
+  if (g.kind == Kind::bar) {
+    g.item = bar_item(grid_, sums);
+    g.bar.body = g.body;
+    g.bar.wall = number_of(state, from.wall);
+    const auto speed = [&](int m) {
+      for (const config::Body& b : bodies)
+        if (b.name == state.bodies[static_cast<std::size_t>(m)].name) return b.velocity[Dim - 1];
+      return 0.0;
+    };
+    g.bar.foot_low = !(speed(g.bar.body) > speed(g.bar.wall));
+  }
+  if (g.kind == Kind::peak_stress) {
+    Vec<Dim> to;
+    for (int d = 0; d < Dim; ++d) to[d] = from.to[static_cast<std::size_t>(d)];
+    g.line = stress_line(g.body, g.point.at, to, from.stations);
+    g.item = line_items(g.line, sums);
+    g.series.over = {"distance", "mm", 1e3};
+    const double length = norm(to - g.point.at);
+    for (int k = 1; k <= from.stations; ++k) g.series.time.push_back(length * k / from.stations);
+  }
+}
+
+template <int Dim>
 void Gauges<Dim>::open(Gauge& g, const std::filesystem::path& folder) {
   g.series.columns = columns_of(g.kind, units_, g.direction != Vec<Dim>{});
-  g.series.values.resize(g.series.columns.size());
-  std::vector<std::string> names{"time [us]"};
+  g.series.values.assign(g.series.columns.size(), std::vector<double>(g.series.time.size(), nothing));
+  std::vector<std::string> names{g.series.over.name + " [" + g.series.over.unit + "]"};
   for (const SeriesColumn& c : g.series.columns) names.push_back(c.name + " [" + c.unit + "]");
   g.file.emplace(folder / (g.series.name + ".csv"), names);
 }
@@ -187,12 +236,19 @@ void probe_contact(const State<Dim>& state, int pair, const Vec<Dim>& at, double
 }  // namespace
 
 template <int Dim>
-void Gauges<Dim>::collect(const State<Dim>& state, OrderedSums& sums, bool at_rest) const {
-  for (const Gauge& g : gauges_) {
+void Gauges<Dim>::collect(const State<Dim>& state, OrderedSums& sums, bool at_rest, bool all) {
+  for (Gauge& g : gauges_) {
+    const bool followed = every_step(g) || g.kind == Kind::contact;
+    if (!all && !followed && !g.due.at(state.time)) continue;
     if (g.kind == Kind::surface_velocity && at_rest) probe_surface_at_rest(state, g.point, g.item, sums);
     if (g.kind == Kind::surface_velocity && !at_rest) probe_surface(state, g.point, g.item, sums);
     if (g.kind == Kind::contact && !at_rest) probe_contact(state, g.pair, g.point.at, g.radius, g.item, sums);
     if (g.kind == Kind::point) probe_point(state, g.body, g.point.at, g.item, sums);
+    if (g.kind == Kind::bar) collect_bar(state, g.bar, g.item, sums);
+    if (g.kind == Kind::peak_stress) collect_line(state, g.line, g.item, sums);
+    if (g.kind != Kind::attitude) continue;
+    g.frame = find_frame(state, g.body, world_);
+    collect_attitude(state, g.body, g.frame, g.item, sums);
   }
 }
 
@@ -267,8 +323,21 @@ void Gauges<Dim>::read_contact(const Gauge& g, const PairSample& p, const Ordere
 }
 
 template <int Dim>
-void Gauges<Dim>::read(Gauge& g, double dt, const OrderedSums& sums, const std::vector<PairSample>& pairs,
-                       const Totals<Dim>* totals) {
+void Gauges<Dim>::read_shape(Gauge& g, const OrderedSums& sums) {
+  if (g.kind == Kind::bar) {
+    const BarReading r = read_bar(grid_, g.bar, sums.total(g.item));
+    row_ = {r.length,         r.foot_radius,         r.radius,
+            r.volume_radius,  r.contact_radius,      r.lift_off,
+            r.plastic_strain, r.axis_plastic_strain, r.rim_lift_off};
+  } else {
+    const Attitude a = read_attitude(g.frame, sums.total(g.item));
+    row_ = {a.inclination, a.front_half, a.front_third, a.course, a.speed, a.head_x, a.head_y, a.spin};
+  }
+}
+
+template <int Dim>
+void Gauges<Dim>::read(Gauge& g, double time, double dt, const OrderedSums& sums,
+                       const std::vector<PairSample>& pairs, const Totals<Dim>* totals) {
   row_.clear();
   switch (g.kind) {
     case Kind::surface_velocity:
@@ -277,6 +346,11 @@ void Gauges<Dim>::read(Gauge& g, double dt, const OrderedSums& sums, const std::
       return read_body(totals->bodies[static_cast<std::size_t>(g.body)]);
     case Kind::contact:
       return read_contact(g, g.radius > 0 ? g.part : pairs[static_cast<std::size_t>(g.pair)], sums);
+    case Kind::bar:
+    case Kind::attitude:
+      return read_shape(g, sums);
+    case Kind::peak_stress:
+      return follow_line(g.line, time, dt, g.item, sums);
     case Kind::point: {
       const auto found = sums.total(g.item);
       const bool there = sums.any(g.item);
@@ -292,7 +366,18 @@ void Gauges<Dim>::read(Gauge& g, double dt, const OrderedSums& sums, const std::
 }
 
 template <int Dim>
+void Gauges<Dim>::write_line(Gauge& g) {
+  std::vector<std::string> names = g.file->columns();
+  g.file.emplace(folder_ / (g.series.name + ".csv"), std::move(names));
+  for (std::size_t k = 0; k < g.series.time.size(); ++k)
+    g.file->row({g.series.time[k] * g.series.over.to_unit,
+                 g.line.stations[k].peak * g.series.columns[0].to_unit,
+                 g.line.stations[k].time * g.series.columns[1].to_unit});
+}
+
+template <int Dim>
 void Gauges<Dim>::write(Gauge& g, double time) {
+  if (g.kind == Kind::peak_stress) return;
   if (!g.series.time.empty() && !(time > g.series.time.back())) return;
   g.series.time.push_back(time);
   written_.assign(1, time * 1e6);
@@ -308,12 +393,18 @@ void Gauges<Dim>::share_points() {
   if (world_.size() == 1) return;
   parallel::Bytes bytes;
   for (const Gauge& g : gauges_)
-    if (g.kind == Kind::surface_velocity) parallel::pack(bytes, g.point);
+    if (g.kind == Kind::surface_velocity)
+      parallel::pack(bytes, g.point);
+    else if (g.kind == Kind::peak_stress)
+      parallel::pack(bytes, g.line.stations.data(), g.line.stations.size());
   if (bytes.empty()) return;
   world_.broadcast(bytes);
   parallel::Unpacker reader(bytes);
   for (Gauge& g : gauges_)
-    if (g.kind == Kind::surface_velocity) g.point = reader.read<SurfacePoint<Dim>>();
+    if (g.kind == Kind::surface_velocity)
+      g.point = reader.read<SurfacePoint<Dim>>();
+    else if (g.kind == Kind::peak_stress)
+      reader.read(g.line.stations.data(), g.line.stations.size());
 }
 
 template <int Dim>
@@ -322,8 +413,8 @@ void Gauges<Dim>::record(double time, double dt, const OrderedSums& sums,
   for (Gauge& g : gauges_) {
     const bool due = all || g.due.at(time);
     if (world_.rank() == 0 && g.kind == Kind::contact) follow_contact(g, dt, sums);
-    if (world_.rank() == 0 && (due || g.kind == Kind::surface_velocity)) {
-      read(g, dt, sums, pairs, totals);
+    if (world_.rank() == 0 && (due || every_step(g))) {
+      read(g, time, dt, sums, pairs, totals);
       if (due) write(g, time);
     }
     if (due) g.due.done(time);
@@ -333,14 +424,21 @@ void Gauges<Dim>::record(double time, double dt, const OrderedSums& sums,
 
 template <int Dim>
 void Gauges<Dim>::flush() {
-  for (Gauge& g : gauges_)
-    if (g.file) g.file->flush();
+  for (Gauge& g : gauges_) {
+    if (!g.file) continue;
+    if (g.kind == Kind::peak_stress) write_line(g);
+    g.file->flush();
+  }
 }
 
 template <int Dim>
 std::vector<TimeSeries> Gauges<Dim>::series() const {
   std::vector<TimeSeries> all;
-  for (const Gauge& g : gauges_) all.push_back(g.series);
+  for (const Gauge& g : gauges_) {
+    TimeSeries& s = all.emplace_back(g.series);
+    for (std::size_t k = 0; k < g.line.stations.size(); ++k)
+      s.values[0][k] = g.line.stations[k].peak, s.values[1][k] = g.line.stations[k].time;
+  }
   return all;
 }
 

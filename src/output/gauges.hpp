@@ -5,11 +5,14 @@
 #include <vector>
 
 #include "config/case.hpp"
+#include "output/attitude.hpp"
+#include "output/bar_shape.hpp"
 #include "output/csv.hpp"
 #include "output/due.hpp"
 #include "output/pair_sample.hpp"
 #include "output/probes.hpp"
 #include "output/run_units.hpp"
+#include "output/stress_line.hpp"
 #include "output/time_series.hpp"
 #include "output/totals.hpp"
 
@@ -36,6 +39,13 @@ namespace recoil {
 ///                     With a radius only cells within it count. Force and work are then integrated over time
 ///                     from the last stage of each step, which stands in its middle; without, impulse and
 ///                     work are what was exchanged, to the last bit.
+///   bar               length, foot-radius, radius, volume-radius, contact-radius, lift-off, plastic-strain,
+///                     axis-plastic-strain, rim-lift-off: see BarReading
+///   attitude          inclination, inclination.front-half, inclination.front-third, course, speed,
+///                     head.x, head.y, spin: see
+///                     Attitude
+///   peak-stress       not over time but over the distance from its begin: stress (largest compressive), time
+///                     (of it), of points that ride with the matter; the file is written anew at each flush
 template <int Dim>
 class Gauges {
  public:
@@ -45,8 +55,9 @@ class Gauges {
 
   /// Whether a gauge needs the sums over whole bodies at this time. The same on all ranks.
   bool needs_totals(double time) const;
-  /// Adds this rank's share of all that is due.
-  void collect(const State<Dim>& state, OrderedSums& sums, bool at_rest) const;
+  /// Adds this rank's share of all that is due. Collective.
+  /// @param all also what is not due, as the last record() needs.
+  void collect(const State<Dim>& state, OrderedSums& sums, bool at_rest, bool all = false);
   /// Records what is due, on rank 0, after the reduction; then moves the points, on all ranks. Collective.
   /// @param totals of this time where needs_totals(), else null. @param all record also what is not due.
   void record(double time, double dt, const OrderedSums& sums, const std::vector<PairSample>& pairs,
@@ -73,22 +84,34 @@ class Gauges {
     PairSample part;            // of that part, when it is not all
     double normal_impulse = 0;  // since the start
     double tangential_impulse = 0;
+    BarWatch bar{};
+    AttitudeFrame frame{};
+    StressLine<Dim> line{};
   };
+  static bool every_step(const Gauge& g) {
+    return g.kind == config::Gauge::Kind::surface_velocity || g.kind == config::Gauge::Kind::peak_stress;
+  }
+  void declare(Gauge& g, const config::Gauge& from, const std::vector<config::Body>& bodies,
+               const State<Dim>& state, OrderedSums& sums);
   void open(Gauge& g, const std::filesystem::path& folder);
   /// What needs every step: follows the contact on rank 0.
   void follow_contact(Gauge& g, double dt, const OrderedSums& sums);
   double along(const Gauge& g, const std::array<double, 3>& v) const;
-  void read(Gauge& g, double dt, const OrderedSums& sums, const std::vector<PairSample>& pairs,
+  void read(Gauge& g, double time, double dt, const OrderedSums& sums, const std::vector<PairSample>& pairs,
             const Totals<Dim>* totals);
   void read_surface_velocity(Gauge& g, double dt, const OrderedSums& sums);
   void read_body(const BodyTotals<Dim>& body);
   void read_contact(const Gauge& g, const PairSample& pair, const OrderedSums& sums);
+  void read_shape(Gauge& g, const OrderedSums& sums);
+  void write_line(Gauge& g);
   void write(Gauge& g, double time);
   void share_points();
 
   const parallel::World& world_;
   RunUnits units_;
+  Grid<Dim> grid_;
   double dx_;
+  std::filesystem::path folder_;
   std::vector<Gauge> gauges_;
   std::vector<double> row_, written_;
 };

@@ -78,15 +78,17 @@ struct Window {
   double from = 0, to = 0;
 };
 
-Window parse_window(const Request& r, const std::string& text) {
+/// @param over what the record runs over: time or distance.
+Window parse_window(const Request& r, const std::string& text, const SeriesColumn& over) {
   const std::size_t dots = text.find("..");
+  const std::string unit = config::si_unit_of(over.unit);
   if (dots == std::string::npos)
-    throw InputError(fmt::format(
-        "error: the quantity '{}': '{}' is no span of time\n   = help: e.g. 0.2us..0.5us", r.quantity, text));
-  const Window w{number_of(r.quantity, text.substr(0, dots), "s"),
-                 number_of(r.quantity, text.substr(dots + 2), "s")};
+    throw InputError(fmt::format("error: the quantity '{}': '{}' is no span of {}\n   = help: e.g. {}",
+                                 r.quantity, text, over.name, unit == "s" ? "0.2us..0.5us" : "2mm..5mm"));
+  const Window w{number_of(r.quantity, text.substr(0, dots), unit),
+                 number_of(r.quantity, text.substr(dots + 2), unit)};
   if (!(w.to > w.from))
-    throw InputError(fmt::format("error: the quantity '{}': the span of time is empty", r.quantity));
+    throw InputError(fmt::format("error: the quantity '{}': the span of {} is empty", r.quantity, over.name));
   return w;
 }
 
@@ -99,7 +101,7 @@ double size_of(const CsvTable& table, const std::string& column) {
   return config::unit_size(unit);
 }
 
-/// The reference curve in FILE:COLUMN; time is the file's first column.
+/// The reference curve in FILE:COLUMN; time or distance is the file's first column.
 Curve read_reference(const Quantities& q, const Request& r, const std::string& text) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos || colon == 0)
@@ -123,25 +125,27 @@ std::string si_unit(const SeriesColumn& column) {
 }
 
 /// The largest or smallest value, of the whole record or of a span of time.
-double extreme(const Request& r, const Curve& curve) {
+double extreme(const Request& r, const Curve& curve, const SeriesColumn& over) {
   if (curve.t.empty()) return nothing;
-  const Window w = r.argument.empty() ? Window{curve.t.front(), curve.t.back()} : parse_window(r, r.argument);
+  const Window w =
+      r.argument.empty() ? Window{curve.t.front(), curve.t.back()} : parse_window(r, r.argument, over);
   if (curve.t.size() == 1 && r.argument.empty()) return curve.y.front();
   return r.reduction == "max" ? most_over(curve, w.from, w.to) : least_over(curve, w.from, w.to);
 }
 
 double reduce(const Quantities& q, const Request& r, const TimeSeries& series, std::size_t column) {
   const Curve curve = curve_of(series, column);
-  if (r.reduction == "at") return value_at(curve, number_of(r.quantity, r.argument, "s"));
+  if (r.reduction == "at")
+    return value_at(curve, number_of(r.quantity, r.argument, config::si_unit_of(series.over.unit)));
   if (r.reduction == "peak") return peak_of(curve).value;
   if (r.reduction == "last") return curve.y.empty() ? nothing : curve.y.back();
-  if (r.reduction == "max" || r.reduction == "min") return extreme(r, curve);
+  if (r.reduction == "max" || r.reduction == "min") return extreme(r, curve, series.over);
   if (r.reduction == "arrival")
     return arrival_at(curve, number_of(r.quantity, r.argument, si_unit(series.columns[column])));
   if (r.reduction == "until")
     return last_at(curve, number_of(r.quantity, r.argument, si_unit(series.columns[column])));
   const std::size_t colon = r.reduction == "error" ? r.argument.find(':') : std::string::npos;
-  const Window w = parse_window(r, r.argument.substr(0, colon));
+  const Window w = parse_window(r, r.argument.substr(0, colon), series.over);
   if (r.reduction == "mean") return mean_over(curve, w.from, w.to);
   if (r.reduction == "rms") return rms_over(curve, w.from, w.to);
   const std::string where = colon == std::string::npos ? "" : r.argument.substr(colon + 1);

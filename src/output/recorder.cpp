@@ -136,10 +136,10 @@ struct Recorder<Dim>::Parts {
     return directory / name;
   }
 
-  void collect(const State<Dim>& state, bool at_rest) {
+  void collect(const State<Dim>& state, bool at_rest, bool all = false) {
     sums.clear();
     sampler.collect(state, sums);
-    gauges.collect(state, sums, at_rest);
+    gauges.collect(state, sums, at_rest, all);
     sums.reduce(world);
     if (first()) pairs = sampler.read(sums);
   }
@@ -225,7 +225,7 @@ template <int Dim>
 void Recorder<Dim>::begin(const State<Dim>& state) {
   Parts& p = *parts_;
   p.started = wall_clock();
-  p.collect(state, true);
+  p.collect(state, true, true);
   const Totals<Dim> totals = find_totals(state, p.world, p.team);
   if (p.first()) {
     p.budget.begin(totals);
@@ -278,6 +278,7 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
   Summary s;
   const Totals<Dim> totals = find_totals(state, p.world, p.team);
   if (p.first()) p.look(totals, true);
+  p.collect(state, state.step == 0, true);
   p.gauges.record(state.time, 0, p.sums, p.pairs, &totals, true);
   if (p.fields.last() < state.time) p.fields.write(state, p.world);
   s.floors = p.count_floors(state);

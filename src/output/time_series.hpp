@@ -15,12 +15,13 @@ struct SeriesColumn {
   double to_unit = 1;  ///< times the SI value gives the number in that unit
 };
 
-/// A record over time, in SI. NaN: nothing was there at that time.
+/// A record over time, or over a distance, in SI. NaN: nothing was there.
 struct TimeSeries {
   std::string name;
   std::vector<SeriesColumn> columns;
-  std::vector<double> time;                 ///< s, rising
+  std::vector<double> time;                 ///< s, or m of a record over distance; rising
   std::vector<std::vector<double>> values;  ///< [column][record]
+  SeriesColumn over{"time", "us", 1e6};     ///< what `time` is
 
   /// Position of a column, or columns.size(). A vector with one component answers to its name without the
   /// axis.

@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "cutcell/moves.hpp"
 #include "cutcell/redistribution.hpp"
-#include "dynamics/block_update.hpp"
 #include "dynamics/plastic_return.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/fit.hpp"
@@ -45,25 +44,6 @@ Phases<Dim>::Phases(State<Dim>& state, Engine& engine) : state_(state), engine_(
         blocks_.push_back(slot);
         break;
       }
-}
-
-template <int Dim>
-template <class F>
-void Phases<Dim>::for_each_slot(StepPart part, F&& f) {
-  const Timers<StepPart>::Span span(engine_.timers, part);
-  parallel::for_each_block(engine_.team, blocks_, f);
-}
-
-template <int Dim>
-template <class F>
-void Phases<Dim>::for_each_body(StepPart part, F&& f) {
-  for_each_slot(part, [&](int slot, Scratch& scratch) {
-    for (Body<Dim>& body : state_.bodies) {
-      if (body.rigid || !body.present(slot)) continue;
-      const Scratch::Frame frame(scratch);
-      f(body, slot, scratch);
-    }
-  });
 }
 
 template <int Dim>
@@ -129,14 +109,14 @@ void Phases<Dim>::cut_cells(Surfaces surfaces, PhiAt when) {
 }
 
 template <int Dim>
-void Phases<Dim>::choose_donors_and_ghosts() {
+void Phases<Dim>::choose_donors_and_ghosts(Cells cells) {
   share(part_average);
   for_each_body(StepPart::fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     choose_donors(state_, body, slot, counters(slot), scratch);
   });
   share(part_geometry);
   for_each_body(StepPart::fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    choose_ghosts(state_, body, slot, scratch);
+    choose_ghosts(state_, body, slot, cells, scratch);
   });
 }
 
@@ -289,9 +269,14 @@ template <int Dim>
 void Phases<Dim>::follow_volumes() {
   for_each_body(StepPart::level_set,
                 [&](Body<Dim>& body, int slot, Scratch&) { measure_mismatch(state_, body, slot); });
+  follow_mismatch(follow_rate);
+}
+
+template <int Dim>
+void Phases<Dim>::follow_mismatch(double rate) {
   share(part_settled);
   for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    follow_volume(state_, body, slot, follow_rate, scratch);
+    follow_volume(state_, body, slot, rate, scratch);
   });
   swap_phi();
 }

@@ -4,9 +4,19 @@
 
 #include "cutcell/geometry.hpp"
 #include "cutcell/share.hpp"
+#include "cutcell/whole_cells.hpp"
+#include "dynamics/block_update.hpp"
+#include "dynamics/classic_stages.hpp"
 #include "timestep/step.hpp"
 
 namespace recoil {
+
+/// SSP-RK3 (Shu & Osher 1988): each stage is a full Euler step, mixed with `old_part` of the old state;
+/// `share` is its weight in the whole step.
+struct Stage {
+  double old_part, share;
+};
+inline constexpr std::array<Stage, 3> ssp_rk3{{{0, 1.0 / 6}, {0.75, 1.0 / 6}, {1.0 / 3, 2.0 / 3}}};
 
 /// The phases of a step, each one loop over blocks. Within a phase a block writes only its own data and reads
 /// only data that the phase does not write, so that blocks may run in any order and on any thread.
@@ -23,7 +33,7 @@ class Phases {
   /// phi_next = phi half a step on, with the last step's carrier.
   void carry_surfaces_half(double dt);
   void cut_cells(Surfaces surfaces, PhiAt when);
-  void choose_donors_and_ghosts();
+  void choose_donors_and_ghosts(Cells cells = Cells::cut);
 
   void find_walls(double dt, double share);
   void fill_values();
@@ -46,6 +56,25 @@ class Phases {
   void bound_volumes();
   void update_bands();
 
+  // Phases of the ghost-fluid schemes only.
+  void take_whole_cells();
+  /// Cuts every body by its own mid-step level set, with the donors in the middle of their whole cells.
+  void find_surfaces();
+  /// Riemann-Signorini states of all walls, and the ghosts that speak for them.
+  void find_ghosts(double dt, double share);
+  /// The same by the traction rule of the seed scheme.
+  void find_seed_ghosts(double kappa, double dt, double share);
+  void update_whole_cells(FaceScheme scheme, double dt, double share);
+  /// One stage of the classical Runge-Kutta rule: Q = Q_old + length dt R, or the whole step if it is the
+  /// last.
+  void update_classic(FaceScheme scheme, const ClassicStage& stage, bool last, double dt);
+  /// Counts cut cells that no longer touch what they touched in the last step.
+  void count_lost_contacts();
+  void redistance_all(int sweeps);
+  /// Moves surfaces in contact a little (part `rate` of what is left) onto each other.
+  void close_gaps(double rate);
+  void show_pieces();
+
   void share(unsigned parts);
 
  private:
@@ -55,6 +84,7 @@ class Phases {
   void for_each_slot(StepPart part, F&& f);  // f(slot, scratch)
   Counters& counters(int slot) { return state_.ledger[static_cast<std::size_t>(slot)].counters; }
   void swap_phi();
+  void follow_mismatch(double rate);
   void place_rigid_bodies(double ahead, PhiAt where);
   void apply(StepPart part);
 
@@ -62,5 +92,24 @@ class Phases {
   Engine& engine_;
   std::vector<int> blocks_;  // local slots that hold a deformable body
 };
+
+template <int Dim>
+template <class F>
+void Phases<Dim>::for_each_slot(StepPart part, F&& f) {
+  const Timers<StepPart>::Span span(engine_.timers, part);
+  parallel::for_each_block(engine_.team, blocks_, f);
+}
+
+template <int Dim>
+template <class F>
+void Phases<Dim>::for_each_body(StepPart part, F&& f) {
+  for_each_slot(part, [&](int slot, Scratch& scratch) {
+    for (Body<Dim>& body : state_.bodies) {
+      if (body.rigid || !body.present(slot)) continue;
+      const Scratch::Frame frame(scratch);
+      f(body, slot, scratch);
+    }
+  });
+}
 
 }  // namespace recoil

@@ -6,17 +6,6 @@
 
 namespace recoil {
 
-namespace {
-
-/// SSP-RK3 (Shu & Osher 1988): each stage is a full Euler step, mixed with `old_part` of the old state;
-/// `share` is its weight in the whole step.
-struct Stage {
-  double old_part, share;
-};
-constexpr std::array<Stage, 3> stages{{{0, 1.0 / 6}, {0.75, 1.0 / 6}, {1.0 / 3, 2.0 / 3}}};
-
-}  // namespace
-
 template <int Dim>
 double advance(State<Dim>& state, const Stepping& stepping, double until, Engine& engine) {
   Phases<Dim> step{state, engine};
@@ -29,7 +18,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   step.cut_cells(Surfaces::shared, PhiAt::midstep);
   step.choose_donors_and_ghosts();
 
-  for (const Stage& stage : stages) {
+  for (const Stage& stage : ssp_rk3) {
     step.share(part_average);
     step.find_walls(dt, stage.share);  // contact: touch, slide, separate
     step.share(part_geometry);

@@ -30,6 +30,7 @@ const char* name_of(StepPart part);
 struct Stepping {
   double cfl = 0.9;                // of min dx/sum_d(|u_d| + c_L)
   std::optional<double> fixed_dt;  // s, instead of the stable step
+  double kappa = 0.5;              // [dx] distance at which bodies meet; seed scheme only
 };
 
 /// The processes, threads and clocks that a step works with.

@@ -216,6 +216,33 @@ class Run(Program):
         self.expect(recoil("plot", out, "gauge.rear", "speed"), 2, "velocity")
         self.expect(recoil("plot", self.folder / "nowhere", "pressure"), 2, "no folder")
 
+    def picture(self, *words):
+        """Draws; the size of the picture in bytes."""
+        png = self.folder / "picture.png"
+        self.expect(recoil("plot", *words, "-o", png), 0, "picture.png")
+        return len(png.read_bytes())
+
+    def test_plots_of_several_runs_and_over_time(self):
+        self.expect(self.run_coarse(), 0)
+        out, other = self.folder / "out", self.folder / "other"
+        self.expect(recoil("run", self.case(), *COARSE, "--set", "mesh.offset=0.4", "-o", other), 0)
+        self.assertNotEqual(self.picture(out, "gauge.rear"), self.picture(out, "gauge.rear", "--with", other))
+        self.assertGreater(self.picture(out, "pressure", "--xt"), 5000)
+        self.expect(recoil("plot", out, "pressure", "--window", "x=0mm..1mm"), 2, "need a field in the plane")
+
+    def test_plots_of_parts_with_outlines(self):
+        out, outline = self.folder / "out", self.folder / "outline.csv"
+        self.expect(recoil("run", DATA / "cases" / "slip_aligned", "--end", "0.05 us", "-o", out),
+                    5)
+        outline.write_text("time [us],x [mm],y [mm]\n0,0,0\n0.05,-1,0.1\n0.05,1,0.5\n")
+        whole, window = self.picture(out, "velocity.x"), ["--window", "x=-2.5mm..1mm,y=0mm..0.4mm"]
+        part = self.picture(out, "velocity.x", *window)
+        self.assertNotEqual(whole, part)
+        self.assertNotEqual(part, self.picture(out, "velocity.x", *window, "--outline", outline))
+        self.expect(recoil("plot", out, "velocity.x", "--window", "r=0mm..1mm"), 2, "--window x=0mm..9mm,y=0mm..12mm")
+        self.expect(recoil("plot", out, "velocity.x", "--window", "x=50mm..60mm"), 2, "beside the field")
+        self.expect(recoil("plot", out, "pressure", "--xt"), 2, "--xt needs a 1d run")
+
 
 class Ranks(Program):
     def test_processes_and_threads_give_the_same_bits(self):
@@ -252,10 +279,64 @@ class Study(Program):
         self.assertGreater(errors[0], errors[1])
         self.assertGreater(errors[1], errors[2])
         self.assertIn("| order |", (self.folder / "study" / "study.md").read_text())
+        self.assertEqual((self.folder / "study" / "error.png").read_bytes()[:4], b"\x89PNG")
+        self.assertFalse((self.folder / "study" / "rear_velocity.png").exists(), "no curve is expected")
+
+    def test_draws_records_over_their_reference(self):
+        (self.folder / "curve.csv").write_text("time [us],speed [m/s]\n0,0\n6,20\n")
+        (self.folder / "case.toml").write_text(
+            self.case().read_text() + '[expect]\n"gauge.rear.velocity.error@3us..5us:curve.csv:speed" = { at-most = "1 km/s" }\n')
+        self.expect(recoil("study", self.folder / "case.toml", "--mesh", "0.4mm,0.2mm", "-o", self.folder / "study"), 0,
+                    "rear_velocity.png")
+        self.assertEqual((self.folder / "study" / "rear_velocity.png").read_bytes()[:4], b"\x89PNG")
 
     def test_mistakes_come_before_the_first_run(self):
         self.expect(recoil("study", self.case(), "--mesh", "0.2mm,fine", "-o", self.folder / "study"), 2, "fine")
         self.assertFalse((self.folder / "study").exists())
+
+
+class Verify(Program):
+    def expecting(self, value):
+        folder = self.folder / "mine"
+        folder.mkdir(exist_ok=True)
+        text = FLYER.read_text().replace('"0.05 mm"', '"0.2 mm"')
+        (folder / "case.toml").write_text(text)
+        (folder / "expected.toml").write_text(
+            '[expect]\n"gauge.impact.traction.mean@0.2us..0.5us" = { value = "%s", within = "1 %%", source = "theory" }\n'
+            '"contact.flyer-target.recloses" = false\n' % value)
+        return folder
+
+    def test_one_table_in_three_forms(self):
+        out = self.folder / "out"
+        self.expect(recoil("verify", self.expecting("-5.091 GPa"), "-o", out, "--write", self.folder / "table.md"), 0,
+                    "1 cases, 2 checks, 1 against references, 0 failed")
+        table = (self.folder / "table.md").read_text()
+        self.assertIn("| -5.091 GPa | theory |", table)
+        self.assertEqual(table, (out / "verify.md").read_text())
+        with open(out / "verify.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["pass"] for row in rows], ["true", "true"])
+        self.assertEqual(json.loads((out / "verify.json").read_text())["references"], 1)
+
+    def test_a_failure_is_exit_5_and_runs_are_used_again(self):
+        out = self.folder / "out"
+        case = self.expecting("-6 GPa")
+        self.expect(recoil("verify", case, "-o", out), 5, "**FAIL**", "1 of 2 FAILED")
+        summary = out / "mine" / "summary.json"
+        before = summary.stat().st_mtime_ns
+        self.expect(recoil("verify", case, "-o", out, "--reuse"), 5, "1 of 2 FAILED")
+        self.assertEqual(summary.stat().st_mtime_ns, before)
+        self.expect(recoil("verify", self.expecting("-5.091 GPa"), "-o", out, "--reuse"), 0)
+        self.assertNotEqual(summary.stat().st_mtime_ns, before)
+
+    def test_mistakes_come_before_the_first_run(self):
+        self.expect(recoil("verify", "flyer_al_cuu", "-o", self.folder / "out"), 2, "did you mean 'flyer_al_cu'")
+        self.expect(recoil("verify", self.case(), "-o", self.folder / "out"), 2, "expects nothing", "expected.toml")
+        self.expect(recoil("verify", "--quick", "flyer_al_cu"), 2, "--quick chooses")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_lists_the_cases(self):
+        self.expect(recoil("verify", "--list"), 0, "quick", "flyer_al_cu", "taylor_copper")
 
 
 if __name__ == "__main__":

@@ -33,6 +33,13 @@ TEST(StudyTable, FindsTheOrder) {
     }
 }
 
+TEST(StudyTable, RoundOffHasNoOrder) {
+  StudyTable table{"made up", {"a", "b"}, {}};
+  for (const double size : {2e-4, 1e-4})
+    table.runs.push_back({size, 0, {{10 + size * 1e-8, 10, nothing, ""}, {-size * 1e-8, nothing, 0.1, ""}}});
+  for (const StudyRow& row : rows_of(table)) EXPECT_TRUE(std::isnan(row.order[1])) << row.quantity;
+}
+
 // One's own finest mesh as truth: zero there, and an order that is too high.
 TEST(StudyTable, MeasureAgainstTheFinestFlatters) {
   const StudyRow row = rows_of(made_up(1)).front();

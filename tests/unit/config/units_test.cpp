@@ -86,7 +86,9 @@ TEST(Units, PrintsInAUnit) {
 }
 
 TEST(Units, RoundTrips) {
-  for (const char* unit : {"mm", "us", "km/s", "GPa", "g/cm3", "deg", "degC", "J/(kg K)", "%"}) {
+  for (const char* unit : {"mm", "us", "km/s", "GPa", "g/cm3", "deg", "degC", "J/(kg K)", "%",
+                           // sums of a planar run and of a 1d one, per metre of depth and per area
+                           "kg/m", "kg/s", "kN/m", "J/m", "kg/m2", "kg/(m s)", "N/m2", "J/m2", "kg m2/s"}) {
     const Quantity q = parse_any_quantity("0.37 " + std::string(unit), "value");
     ASSERT_TRUE(q.ok()) << unit;
     EXPECT_NEAR(in_unit(q.value, unit), 0.37, 1e-13) << unit;

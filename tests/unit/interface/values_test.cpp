@@ -12,8 +12,9 @@ namespace {
 
 template <int Dim>
 void fill_values(Prepared<Dim>& p) {
-  p.for_each_body(
-      [&](Body<Dim>& body, int s, Scratch& scratch) { choose_ghosts(p.state, body, s, scratch); });
+  p.for_each_body([&](Body<Dim>& body, int s, Scratch& scratch) {
+    choose_ghosts(p.state, body, s, Cells::cut, scratch);
+  });
   p.evaluate();
   Scratch scratch;
   for (int s = 0; s < p.state.mesh.local(); ++s) {
@@ -128,6 +129,39 @@ TYPED_TEST(Values, GhostsBeyondAContactCarryItsTraction) {
       ASSERT_NEAR(s.velocity, 0.5 * speed, 1e-6);
     });
   EXPECT_GT(ghosts, dim == 1 ? 2 : 40);
+}
+
+/// Beyond the surface of a turning body the tangential velocity goes on as within it: nothing brakes the
+/// spin.
+TYPED_TEST(Values, GhostsOfATurningBodyTurnWithIt) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  if constexpr (dim > 1) {
+    Prepared<dim> p(this->grid, {half_space(this->middle, this->normal)}, {moving<dim>(this->material, {})});
+    const double spin = 40 / this->grid.dx;  // 40 m/s per cell
+    const auto turning = [&](const Vec<dim>& x) {
+      Vec<dim> u;
+      u[0] = -spin * (x[1] - this->middle[1]), u[1] = spin * (x[0] - this->middle[0]);
+      return u;
+    };
+    for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      auto x = this->grid.centre(i);
+      if (b.geometry.index[k] >= 0)
+        x += this->grid.dx * b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[k])].centroid;
+      for (int d = 0; d < dim; ++d)
+        b.average[static_cast<std::size_t>(C::u + d) * b.volume.size() + k] = turning(x)[d];
+    });
+    fill_values(p);
+    int ghosts = 0;
+    for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      if (!this->inside(i) || (b.role[k] & valued) == 0 || (b.role[k] & regular) != 0) return;
+      ++ghosts;
+      const auto s = resolve<dim>(TestFixture::stencil_of(b, k), this->normal);
+      const Vec<dim> u = turning(this->grid.centre(i));
+      ASSERT_LT(norm(s.sliding - (u - dot(u, this->normal) * this->normal)), 0.1 * 40) << "a tenth of a cell";
+    });
+    EXPECT_GT(ghosts, 20);
+  }
 }
 
 /// The average of a cut cell belongs to its centroid; where a stress falls off towards a free surface, the

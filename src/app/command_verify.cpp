@@ -1,0 +1,195 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+#include "app/data_folder.hpp"
+#include "app/estimate.hpp"
+#include "app/launch.hpp"
+#include "app/load_case.hpp"
+#include "app/resolved_case.hpp"
+#include "app/verify_table.hpp"
+#include "core/error.hpp"
+#include "output/json_files.hpp"
+
+namespace recoil::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What the cases of --quick may take together by their estimates, on one processor, which they
+/// rather overrate: about 2 minutes on two.
+constexpr double quick_seconds = 360;
+
+/// A case to verify.
+struct Work {
+  std::string name, title, resolved;
+  fs::path file;
+  double seconds = 0;  // estimated, on one processor
+};
+
+std::vector<std::string> shipped_names() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(data_folder() / "cases", error))
+    if (fs::exists(entry.path() / "case.toml") && fs::exists(entry.path() / "expected.toml"))
+      names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  if (names.empty())
+    throw EnvironmentError(
+        fmt::format("there are no cases in {}\n   = help: RECOIL_DATA names the folder that holds them",
+                    (data_folder() / "cases").string()));
+  return names;
+}
+
+/// All mistakes before the first run.
+Work work_of(const std::string& word) {
+  LoadedCase loaded = load_case(word, {});
+  if (!loaded.found.has_errors()) check_logic(loaded);
+  loaded.found.throw_if_errors();
+  const fs::path file = find_case_file(word);
+  if (loaded.contents.expect.empty())
+    throw InputError(
+        fmt::format("{} expects nothing, so that there is nothing to verify\n   = help: write an "
+                    "expected.toml beside it",
+                    file.string()));
+  const double seconds =
+      estimate(loaded.contents, fastest_at_start(loaded.contents, loaded.materials)).seconds;
+  return {short_name(file), loaded.contents.title, resolved_text(loaded), file, seconds};
+}
+
+/// The cheapest ones, as many as fit.
+std::vector<Work> cheapest(std::vector<Work> all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Work& a, const Work& b) { return a.seconds < b.seconds; });
+  double sum = 0;
+  std::size_t n = 0;
+  while (n < all.size() && sum + all[n].seconds <= quick_seconds) sum += all[n++].seconds;
+  all.resize(n);
+  std::sort(all.begin(), all.end(), [](const Work& a, const Work& b) { return a.name < b.name; });
+  return all;
+}
+
+std::vector<Work> choose(const VerifyOptions& o) {
+  if (o.quick && !o.cases.empty())
+    throw InputError(
+        "--quick chooses the cases itself\n   = help: leave out --quick, or the names of the cases");
+  std::vector<Work> all;
+  for (const std::string& word : o.cases.empty() ? shipped_names() : o.cases) all.push_back(work_of(word));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (all[i].name == all[j].name)
+        throw InputError(
+            fmt::format("two cases are called '{}': {} and {}\n   = help: verify them one after the other",
+                        all[i].name, all[j].file.string(), all[i].file.string()));
+  return o.quick ? cheapest(std::move(all)) : all;
+}
+
+/// Whether the folder holds a finished run of exactly this case.
+bool is_done(const fs::path& folder, const Work& w) {
+  std::ifstream file(folder / "case.resolved.toml");
+  std::stringstream text;
+  text << file.rdbuf();
+  return file && text.str() == w.resolved && read_verified(folder).problem.empty();
+}
+
+VerifiedCase run_one(const Work& w, const fs::path& folder, bool reuse) {
+  const fs::path run = folder / w.name, log = folder / (w.name + ".log");
+  int code = exit_finished;
+  if (!reuse || !is_done(run, w))
+    code = run_child({"run", w.file.string(), "-o", run.string(), "--force", "--plain", "-j", "1"}, log);
+  const bool done = code == exit_finished || code == exit_expectation_failed;
+  VerifiedCase c = done ? read_verified(run) : VerifiedCase{};
+  if (!done)
+    c.problem = fmt::format("the run ended with exit code {}, see {}", code, log.string()),
+    c.exit_code = code;
+  c.name = w.name;
+  c.title = w.title;
+  return c;
+}
+
+/// Runs the cases, the dearest first, several at a time.
+std::vector<VerifiedCase> run_all(const std::vector<Work>& work, const fs::path& folder,
+                                  const VerifyOptions& o) {
+  std::vector<std::size_t> order(work.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return work[a].seconds > work[b].seconds; });
+  std::vector<VerifiedCase> results(work.size());
+  std::atomic<std::size_t> next{0};
+  std::size_t finished = 0;
+  std::mutex speaking;
+  const auto labour = [&] {
+    for (std::size_t k = next++; k < order.size(); k = next++) {
+      VerifiedCase c;
+      const Work& w = work[order[k]];
+      try {
+        c = run_one(w, folder, o.reuse);
+      } catch (const std::exception& e) {
+        c.name = w.name, c.title = w.title, c.problem = e.what(), c.exit_code = exit_environment;
+      }
+      const std::lock_guard lock(speaking);
+      const std::string verdict = !c.problem.empty() ? c.problem
+                                  : c.failures() == 0
+                                      ? fmt::format("all {} met", c.values.size())
+                                      : fmt::format("{} of {} FAILED", c.failures(), c.values.size());
+      fmt::print("[{}/{}] {}: {}, {:.3g} s\n", ++finished, work.size(), c.name, verdict, c.wall_s);
+      std::fflush(stdout);
+      results[order[k]] = std::move(c);
+    }
+  };
+  const auto processors = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t jobs = std::min(work.size(), o.jobs > 0 ? static_cast<std::size_t>(o.jobs) : processors);
+  std::vector<std::jthread> team;
+  for (std::size_t k = 1; k < jobs; ++k) team.emplace_back(labour);
+  labour();
+  team.clear();  // joins
+  return results;
+}
+
+int list_cases() {
+  std::vector<Work> all;
+  for (const std::string& name : shipped_names()) all.push_back(work_of(name));
+  const std::vector<Work> quick = cheapest(all);
+  for (const Work& w : all) {
+    const bool is_quick =
+        std::any_of(quick.begin(), quick.end(), [&](const Work& q) { return q.name == w.name; });
+    fmt::print("{:<5} {:8.3g} s  {:<28} {}\n", is_quick ? "quick" : "", w.seconds, w.name, w.title);
+  }
+  return exit_finished;
+}
+
+}  // namespace
+
+int verify(const VerifyOptions& o) {
+  if (o.list) return list_cases();
+  const std::vector<Work> work = choose(o);
+  const fs::path folder = o.folder.empty() ? fs::path("runs/verify") : fs::path(o.folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw EnvironmentError(fmt::format("the folder {} cannot be made: {}", folder.string(), error.message()));
+  const std::vector<VerifiedCase> results = run_all(work, folder, o);
+  const std::string text = verify_markdown(results);
+  write_atomically(folder / "verify.md", text);
+  write_atomically(folder / "verify.csv", verify_csv(results));
+  write_atomically(folder / "verify.json", verify_json(results));
+  if (!o.write.empty()) write_atomically(o.write, text);
+  fmt::print("\n{}\n{}\n", text, (folder / "verify.md").string());
+  const VerifyCount n = count(results);
+  fmt::print("{} cases, {} checks, {} against references, {} failed\n", n.cases, n.values, n.references,
+             n.failures);
+  for (const VerifiedCase& c : results)
+    if (c.exit_code != exit_finished && c.exit_code != exit_expectation_failed) return c.exit_code;
+  return n.failures > 0 ? exit_expectation_failed : exit_finished;
+}
+
+}  // namespace recoil::app

@@ -1,0 +1,134 @@
+#include "dynamics/primitives.hpp"
+#include "interface/fit.hpp"
+#include "interface/ghost_walls.hpp"
+#include "interface/seed_walls.hpp"
+#include "interface/values.hpp"
+#include "levelset/distance.hpp"
+#include "timestep/phases.hpp"
+
+namespace recoil {
+
+template <int Dim>
+void Phases<Dim>::take_whole_cells() {
+  for_each_body(StepPart::averages, [&](Body<Dim>& body, int slot, Scratch&) {
+    recoil::take_whole_cells(state_, body, slot, counters(slot));
+  });
+  share(part_matter);
+}
+
+template <int Dim>
+void Phases<Dim>::find_surfaces() {
+  for_each_slot(StepPart::geometry, [&](int slot, Scratch& scratch) {
+    find_geometry(state_, slot, Surfaces::own, PhiAt::midstep, scratch);
+    for (Body<Dim>& body : state_.bodies)
+      if (!body.rigid && body.present(slot)) centre_donors(body.at(slot));
+  });
+  share(part_geometry);
+}
+
+template <int Dim>
+void Phases<Dim>::find_ghosts(double dt, double part) {
+  share(part_average);
+  for_each_body(StepPart::walls,
+                [&](Body<Dim>& body, int slot, Scratch&) { evaluate_fits(state_, body, slot); });
+  share(part_geometry);
+  for_each_slot(StepPart::walls,
+                [&](int slot, Scratch& scratch) { find_ghost_walls(state_, slot, dt, part, scratch); });
+  share(part_geometry);
+  fill_values();
+  share(part_average);
+}
+
+template <int Dim>
+void Phases<Dim>::find_seed_ghosts(double kappa, double dt, double part) {
+  share(part_average);
+  for_each_body(StepPart::walls,
+                [&](Body<Dim>& body, int slot, Scratch&) { evaluate_fits(state_, body, slot); });
+  share(part_geometry);
+  for_each_slot(StepPart::walls,
+                [&](int slot, Scratch& scratch) { find_seed_walls(state_, slot, kappa, dt, part, scratch); });
+  share(part_geometry);
+  fill_values();
+  share(part_average);
+}
+
+template <int Dim>
+void Phases<Dim>::update_whole_cells(FaceScheme scheme, double dt, double part) {
+  for_each_slot(StepPart::flux, [&](int slot, Scratch& scratch) {
+    for (int m = 0; m < state_.count(); ++m) {
+      Body<Dim>& body = state_.bodies[static_cast<std::size_t>(m)];
+      if (body.rigid || !body.present(slot)) continue;
+      const Scratch::Frame frame(scratch);
+      auto& ledger = state_.ledger[static_cast<std::size_t>(slot)];
+      recoil::update_whole_cells(state_, body, slot, scheme, dt, part,
+                                 ledger.edges[static_cast<std::size_t>(m)], ledger.counters, scratch);
+    }
+  });
+  share(part_matter);
+}
+
+template <int Dim>
+void Phases<Dim>::update_classic(FaceScheme scheme, const ClassicStage& stage, bool last, double dt) {
+  for_each_body(StepPart::plasticity,
+                [](Body<Dim>& body, int slot, Scratch&) { start_stage(body.at(slot)); });
+  update_whole_cells(scheme, stage.length * dt, stage.weight / stage.length);
+  for_each_body(StepPart::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
+    collect_stage(body.at(slot), stage);
+    if (last) finish_stages(body.at(slot));
+  });
+  share(part_matter);
+}
+
+template <int Dim>
+void Phases<Dim>::count_lost_contacts() {
+  for_each_body(StepPart::walls, [&](Body<Dim>& body, int slot, Scratch&) {
+    const BodyBlock<Dim>& b = body.at(slot);
+    for (std::size_t k = 0; k < b.walls.size(); ++k)
+      if ((b.contact[static_cast<std::size_t>(b.geometry.cuts[k].cell)] & ~b.walls[k].partners) != 0)
+        ++counters(slot).contacts_lost;
+  });
+}
+
+template <int Dim>
+void Phases<Dim>::redistance_all(int sweeps) {
+  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    if (body.at(slot).near_surface)
+      recoil::redistance(state_, body, slot, sweeps, -1, scratch);
+    else
+      body.at(slot).phi_next = body.at(slot).phi;
+  });
+  swap_phi();
+}
+
+template <int Dim>
+void Phases<Dim>::close_gaps(double rate) {
+  for_each_slot(StepPart::level_set,
+                [&](int slot, Scratch& scratch) { measure_gaps(state_, slot, scratch); });
+  follow_mismatch(rate);
+}
+
+template <int Dim>
+void Phases<Dim>::show_pieces() {
+  for_each_body(StepPart::moves, [&](Body<Dim>& body, int slot, Scratch&) {
+    recoil::show_pieces(state_, body, slot, counters(slot));
+  });
+  share(part_matter);
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                             \
+  template void Phases<Dim>::take_whole_cells();                                            \
+  template void Phases<Dim>::find_surfaces();                                               \
+  template void Phases<Dim>::find_ghosts(double, double);                                   \
+  template void Phases<Dim>::find_seed_ghosts(double, double, double);                      \
+  template void Phases<Dim>::update_classic(FaceScheme, const ClassicStage&, bool, double); \
+  template void Phases<Dim>::count_lost_contacts();                                         \
+  template void Phases<Dim>::redistance_all(int);                                           \
+  template void Phases<Dim>::update_whole_cells(FaceScheme, double, double);                \
+  template void Phases<Dim>::close_gaps(double);                                            \
+  template void Phases<Dim>::show_pieces();
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

@@ -1,0 +1,68 @@
+#include "timestep/ghost_fluid_step.hpp"
+
+#include "timestep/phases.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double closing_rate = 0.05;  // part of a gap or overlap in contact that is closed in a step
+
+}  // namespace
+
+template <int Dim>
+double advance_ghost_fluid(State<Dim>& state, const Stepping& stepping, double until, Engine& engine) {
+  Phases<Dim> step{state, engine};
+
+  // The start of the step: real cells, the stable step, and the surfaces half a step on.
+  step.take_whole_cells();
+  step.average_states();
+  const double dt = step.choose_length(stepping, until);
+  step.keep_old();
+  step.carry_surfaces_half(dt);
+  step.find_surfaces();
+  step.choose_donors_and_ghosts(Cells::whole);
+
+  for (const Stage& stage : ssp_rk3) {
+    step.find_ghosts(dt, stage.share);  // contact: touch, slide, separate
+    step.update_whole_cells(FaceScheme::weno_hllc, dt, stage.share);
+    step.mend_bad_states();
+    step.return_to_yield(dt, stage.old_part);  // then the Runge-Kutta mean
+    step.share(part_matter);
+    step.refresh_averages();
+  }
+  step.find_ghosts(dt, 0);  // of the new state, for the cells that the surfaces uncover
+
+  // The level set goes with the walls, almost without redistancing beside the surface.
+  step.move_rigid_bodies(dt);
+  step.carry_surfaces(dt);
+  step.count_lost_contacts();
+  step.remember_contact();
+  step.redistance(dt);
+  step.cut_cells(Surfaces::own, PhiAt::now);
+  step.close_gaps(closing_rate);
+  step.cut_cells(Surfaces::own, PhiAt::now);
+  step.show_pieces();
+  step.update_bands();
+
+  state.time += dt;
+  ++state.step;
+  return dt;
+}
+
+template <int Dim>
+void settle_whole_cells(State<Dim>& state, Engine& engine) {
+  settle_start(state, engine);
+  Phases<Dim> start{state, engine};
+  start.cut_cells(Surfaces::own, PhiAt::now);
+  start.show_pieces();
+}
+
+template double advance_ghost_fluid<1>(State<1>&, const Stepping&, double, Engine&);
+template double advance_ghost_fluid<2>(State<2>&, const Stepping&, double, Engine&);
+template double advance_ghost_fluid<3>(State<3>&, const Stepping&, double, Engine&);
+template void settle_whole_cells<1>(State<1>&, Engine&);
+template void settle_whole_cells<2>(State<2>&, Engine&);
+template void settle_whole_cells<3>(State<3>&, Engine&);
+
+}  // namespace recoil

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include "config/read_case.hpp"
+
+namespace recoil::config {
+namespace {
+
+/// A case with a bar, a wall and one gauge of these keys.
+Case with_gauge(const std::string& geometry, const std::string& keys, Diagnostics& out) {
+  const bool round = geometry == "axisymmetric", flat = geometry == "planar";
+  const std::string second = round ? "z" : flat ? "y" : "";
+  std::string text = "format = 1\n[domain]\ngeometry = \"" + geometry + "\"\n" + (round ? "r" : "x") +
+                     " = [\"0 mm\", \"20 mm\"]\n";
+  if (!second.empty()) text += second + " = [\"0 mm\", \"20 mm\"]\n";
+  text += "[mesh]\nfinest = \"1 mm\"\n[time]\nend = \"1 us\"\n";
+  for (const char* body : {"bar", "wall"})
+    text += std::string("[body.") + body + "]\nrigid = true\nshape = { kind = \"box\", " +
+            (round ? "r" : "x") + " = [\"1 mm\", \"2 mm\"]" +
+            (second.empty() ? "" : ", " + second + " = [\"1 mm\", \"2 mm\"]") + " }\n";
+  return read_case(parse_document(text + "[gauge.g]\n" + keys, "case.toml", out), out);
+}
+
+std::string complaints(const std::string& geometry, const std::string& keys) {
+  Diagnostics out;
+  with_gauge(geometry, keys, out);
+  return out.text();
+}
+
+TEST(GaugeKinds, AreRead) {
+  Diagnostics out;
+  const Case bar =
+      with_gauge("axisymmetric", "kind = \"bar\"\nbody = \"bar\"\nwall = \"wall\"\nevery = \"1 us\"\n", out);
+  const Case line = with_gauge(
+      "1d",
+      "kind = \"peak-stress\"\nbody = \"bar\"\nat = { x = \"1 mm\" }\nto = { x = \"9 mm\" }\nstations = 8\n",
+      out);
+  const Case attitude = with_gauge("planar", "kind = \"attitude\"\nbody = \"bar\"\n", out);
+  ASSERT_EQ(out.text(), "");
+  EXPECT_EQ(bar.gauges[0].kind, Gauge::Kind::bar);
+  EXPECT_EQ(bar.gauges[0].wall, "wall");
+  EXPECT_EQ(line.gauges[0].kind, Gauge::Kind::peak_stress);
+  EXPECT_EQ(line.gauges[0].stations, 8);
+  EXPECT_DOUBLE_EQ(line.gauges[0].to[0], 9e-3);
+  EXPECT_EQ(attitude.gauges[0].kind, Gauge::Kind::attitude);
+}
+
+TEST(GaugeKinds, MistakesGetACure) {
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(has(complaints("axisymmetric", "kind = \"bar\"\nbody = \"bar\"\n"), "'wall' is missing"));
+  EXPECT_TRUE(has(complaints("axisymmetric", "kind = \"bar\"\nbody = \"bar\"\nwall = \"wal\"\n"),
+                  "did you mean 'wall'"));
+  EXPECT_TRUE(has(complaints("axisymmetric", "kind = \"bar\"\nbody = \"bar\"\nwall = \"bar\"\n"),
+                  "cannot stand on itself"));
+  EXPECT_TRUE(has(complaints("planar", "kind = \"bar\"\nbody = \"bar\"\nwall = \"wall\"\n"),
+                  "has no meaning in planar"));
+  EXPECT_TRUE(has(complaints("axisymmetric", "kind = \"attitude\"\nbody = \"bar\"\n"), "needs planar or 3d"));
+  const std::string line = "kind = \"peak-stress\"\nbody = \"bar\"\nat = { x = \"1 mm\" }\n";
+  EXPECT_TRUE(has(complaints("1d", line), "'to' is missing"));
+  EXPECT_TRUE(has(complaints("1d", line + "to = { x = \"1 mm\" }\n"), "has no length"));
+  EXPECT_TRUE(has(complaints("1d", line + "to = { x = \"30 mm\" }\n"), "outside the domain"));
+  EXPECT_TRUE(
+      has(complaints("1d", line + "to = { x = \"3 mm\" }\nevery = \"1 us\"\n"), "'every' means nothing"));
+  EXPECT_TRUE(
+      has(complaints("1d", "kind = \"body\"\nbody = \"bar\"\nstations = 3\n"), "'stations' means nothing"));
+}
+
+}  // namespace
+}  // namespace recoil::config
