@@ -58,6 +58,19 @@ std::string duration(double seconds) {
   return seconds < 6000 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
+/// What is to be known of a scheme other than the default.
+std::string scheme_note(const config::Case& c) {
+  if (c.method.scheme == "conservative") return {};
+  std::string note = fmt::format(
+      "scheme\n  {}: mass, momentum and energy are not kept at surfaces; the run reports what is made or "
+      "lost\n",
+      c.method.scheme);
+  if (c.method.scheme == "seed")
+    note += fmt::format("  bodies meet when {:.3g} mm are left between them (kappa = {:.3g} cells)\n",
+                        c.method.kappa * c.mesh.finest * 1e3, c.method.kappa);
+  return note;
+}
+
 void print_report(const Report& r) {
   const config::Case& c = r.loaded.contents;
   if (!r.loaded.found.list().empty()) fmt::print(stderr, "{}", r.loaded.found.text());
@@ -66,6 +79,7 @@ void print_report(const Report& r) {
   if (!r.good()) return;
   if (!r.predictions.empty()) fmt::print("predicted (one-dimensional waves, no rate dependence)\n");
   for (const PlatePrediction& p : r.predictions) fmt::print("{}", describe(p, c));
+  fmt::print("{}", scheme_note(c));
   fmt::print(
       "cost\n  {:.3g} cells, {:.3g} of them with matter; {:.3g} steps of about {:.3g} ns\n"
       "  memory {:.3g} MB, time about {} with one thread\n",

@@ -153,7 +153,7 @@ VerifyCount count(const std::vector<VerifiedCase>& cases) {
 std::string verify_markdown(const std::vector<VerifiedCase>& cases) {
   const VerifyCount n = count(cases);
   std::string out =
-      "# Validation\n\nWritten by `recoil verify`: every shipped case is run and compared with its "
+      "# Validation\n\nWritten by `recoil verify`: each case below is run and compared with its "
       "`expected.toml`, which says where\n"
       "each number is from and why its tolerance is what it is. Nothing here is typed by hand.\n\n";
   out += fmt::format(

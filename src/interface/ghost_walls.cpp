@@ -94,15 +94,14 @@ void measure_gaps(State<Dim>& state, int slot, Scratch& scratch) {
     for (CutCell<Dim>& cut : body.at(slot).settled.cuts) {
       cut.mismatch = 0;
       const Index<Dim> i = state.mesh.block(slot).cells.lo + state.grid().layout().index(cut.cell);
-      const Vec<Dim> n = v.normal(m, i);
       double least = closing_gap * v.dx();
       for (int q = 0; q < state.count(); ++q) {
         if (q == m || !v.phi[static_cast<std::size_t>(q)]) continue;
-        if (!v.was_in_contact(m, q, i) && !v.was_in_contact(q, m, i)) continue;
-        const Opposite<Dim> o{q, v.distance(q, cut.point), v.normal(q, i), {}};
-        if (o.gap >= least || o.gap < -v.dx() || !o.faces(n)) continue;
-        least = o.gap;
-        cut.mismatch = v.body(q).rigid ? o.gap : 0.5 * o.gap;
+        const double gap = v.distance(q, cut.point);
+        if (gap >= least || gap < -v.dx() || (gap > 0 && !v.touched(m, q, i) && !v.touched(q, m, i)))
+          continue;
+        least = gap;
+        cut.mismatch = v.body(q).rigid ? gap : 0.5 * gap;
       }
     }
   }

@@ -17,9 +17,8 @@ namespace recoil {
 template <int Dim>
 void find_ghost_walls(State<Dim>& state, int slot, double dt, double share, Scratch& scratch);
 
-/// Where bodies have been in contact and their level sets overlap, or leave a gap below 0.3 dx: how far each
-/// surface should move out to meet the other halfway [m], as CutCell::mismatch of the settled geometry; 0
-/// elsewhere.
+/// Where level sets overlap, or leave a gap below 0.3 dx in a cell in contact: how far each surface should
+/// move out to meet the other halfway [m], as CutCell::mismatch of the settled geometry; 0 elsewhere.
 template <int Dim>
 void measure_gaps(State<Dim>& state, int slot, Scratch& scratch);
 

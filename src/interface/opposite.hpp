@@ -24,7 +24,12 @@ struct SurfaceView {
   double distance(int m, const Vec<Dim>& x) const;
   /// Outward normal of a body at cell i.
   Vec<Dim> normal(int m, const Index<Dim>& i) const;
-  /// Whether a body touched a partner in the last step in cell i or one around it.
+  /// Whether a body touched a partner in the last step in cell i.
+  bool touched(int m, int partner, const Index<Dim>& i) const {
+    const std::uint32_t* bits = contact[static_cast<std::size_t>(m)];
+    return bits && (bits[window.at(i)] >> partner & 1U) != 0;
+  }
+  /// The same in cell i or one around it.
   bool was_in_contact(int m, int partner, const Index<Dim>& i) const;
 };
 
