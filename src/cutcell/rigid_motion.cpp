@@ -94,7 +94,7 @@ void set_free(RigidMotion<Dim>& m, double mass, const Vec<3>& inertia) {
 }
 
 template <int Dim>
-void advance(RigidMotion<Dim>& m, double dt, const Vec<Dim>& impulse, const Vec<3>& moment, double work) {
+void move_rigid(RigidMotion<Dim>& m, double dt, const Vec<Dim>& impulse, const Vec<3>& moment, double work) {
   if (!m.mass) {
     const RigidPose<Dim> pose = pose_after(m, dt);
     m.centre = pose.centre;
@@ -120,7 +120,7 @@ void advance(RigidMotion<Dim>& m, double dt, const Vec<Dim>& impulse, const Vec<
   template double distance_at<Dim>(const RigidMotion<Dim>&, const RigidPose<Dim>&, const Vec<Dim>&); \
   template void set_moving<Dim>(RigidMotion<Dim>&, const Vec<Dim>&, const Vec<3>&);                  \
   template void set_free<Dim>(RigidMotion<Dim>&, double, const Vec<3>&);                             \
-  template void advance<Dim>(RigidMotion<Dim>&, double, const Vec<Dim>&, const Vec<3>&, double);     \
+  template void move_rigid<Dim>(RigidMotion<Dim>&, double, const Vec<Dim>&, const Vec<3>&, double);  \
   template double kinetic_energy<Dim>(const RigidMotion<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -75,7 +75,8 @@ void set_free(RigidMotion<Dim>& motion, double mass, const Vec<3>& inertia);
 /// second order in the step. The body's energy is what it was given: the difference to its kinetic energy is
 /// the error of that (docs/theory.md, rigid bodies).
 template <int Dim>
-void advance(RigidMotion<Dim>& motion, double dt, const Vec<Dim>& impulse, const Vec<3>& moment, double work);
+void move_rigid(RigidMotion<Dim>& motion, double dt, const Vec<Dim>& impulse, const Vec<3>& moment,
+                double work);
 
 /// Kinetic energy [J] of a free body.
 template <int Dim>

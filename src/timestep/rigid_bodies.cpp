@@ -70,15 +70,15 @@ void move_rigid_bodies(State<Dim>& state, const parallel::World& world, double d
     if (body.rigid->mass)
       free.push_back(m);
     else
-      advance(*body.rigid, dt, {}, {}, 0);
+      move_rigid(*body.rigid, dt, {}, {}, 0);
   }
   if (free.empty()) return;
   const std::vector<Given<Dim>> given = given_to(state, world, free);
   for (std::size_t k = 0; k < free.size(); ++k) {
     Vec<Dim> impulse = given[k].impulse();
     if (state.grid().axisymmetric) impulse[0] = 0;  // what lies on the axis moves along it
-    advance(*state.bodies[static_cast<std::size_t>(free[k])].rigid, dt, impulse, given[k].moment(),
-            given[k].work());
+    move_rigid(*state.bodies[static_cast<std::size_t>(free[k])].rigid, dt, impulse, given[k].moment(),
+               given[k].work());
   }
 }
 

@@ -18,7 +18,7 @@ RigidMotion<2> plate() {
 TEST(RigidMotion, APrescribedBodyKeepsVelocityAndSpin) {
   RigidMotion<2> m = plate();
   set_moving(m, {{2, 0}}, {{0, 0, std::numbers::pi / 2}});
-  for (int step = 0; step < 10; ++step) advance(m, 0.1, Vec<2>{{1e6, 0}}, {}, 5.0);
+  for (int step = 0; step < 10; ++step) move_rigid(m, 0.1, Vec<2>{{1e6, 0}}, {}, 5.0);
   EXPECT_NEAR(m.centre[0], 2, 1e-12);
   const RigidPose<2> now = pose_after(m, 0);
   // A quarter turn: the plane x = 1 lies at y = 1 above the centre.
@@ -32,7 +32,7 @@ TEST(RigidMotion, PoseAheadIsWhereThePrescribedBodyGoes) {
   RigidMotion<2> m = plate();
   set_moving(m, {{2, -1}}, {{0, 0, 0.3}});
   const RigidPose<2> ahead = pose_after(m, 0.5);
-  advance(m, 0.5, {}, {}, 0);
+  move_rigid(m, 0.5, {}, {}, 0);
   EXPECT_NEAR(distance_at(m, ahead, Vec<2>{{0.3, 0.7}}), distance_at(m, pose_after(m, 0), Vec<2>{{0.3, 0.7}}),
               1e-13);
 }
@@ -43,7 +43,7 @@ TEST(RigidMotion, AFreeBodyTakesImpulseAndMoment) {
   set_free(m, 4, Vec<3>{{0, 0, 2}});
   EXPECT_NEAR(m.mass->energy, 2, 1e-12);
   const double dt = 1e-6;
-  advance(m, dt, Vec<2>{{0, 8}}, Vec<3>{{0, 0, 6}}, 3.0);
+  move_rigid(m, dt, Vec<2>{{0, 8}}, Vec<3>{{0, 0, 6}}, 3.0);
   EXPECT_NEAR(m.velocity[0], 1, 1e-12);
   EXPECT_NEAR(m.velocity[1], 2, 1e-12);
   EXPECT_NEAR(m.spin[2], 3, 1e-4);  // about the centre, which has moved by a micrometre
@@ -56,7 +56,7 @@ TEST(RigidMotion, WithoutInertiaItDoesNotTurn) {
   m.distance = [](const Vec<3>& x) { return x[0]; };
   set_moving(m, {}, {{1, 2, 3}});
   set_free(m, 1, Vec<3>{});
-  advance(m, 0.1, {}, Vec<3>{{1, 1, 1}}, 0);
+  move_rigid(m, 0.1, {}, Vec<3>{{1, 1, 1}}, 0);
   EXPECT_EQ(norm(m.spin), 0);
 }
 
@@ -67,7 +67,7 @@ TEST(RigidMotion, ATopKeepsItsAngularMomentum) {
   set_moving(m, {}, {{1, 0.1, 3}});
   set_free(m, 1, Vec<3>{{1, 2, 3}});
   const double energy = kinetic_energy(m);
-  for (int step = 0; step < 2000; ++step) advance(m, 1e-3, {}, {}, 0);
+  for (int step = 0; step < 2000; ++step) move_rigid(m, 1e-3, {}, {}, 0);
   EXPECT_NEAR(kinetic_energy(m), energy, 2e-3 * energy);
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t other = 0; other < 3; ++other)

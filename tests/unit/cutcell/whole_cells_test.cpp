@@ -72,7 +72,7 @@ TYPED_TEST(WholeCells, PiecesComeBackWithGhostsInWhatWasNotReal) {
     const std::size_t n = b.volume.size();
     for (std::size_t k = 0; k < n; ++k) {
       b.role[k] = valued;
-      for (std::size_t c = 0; c < a.primitives.size(); ++c) b.stencil[c * n + k] = a.primitives[c];
+      for (std::size_t c = 0; c < a.primitives.size(); ++c) b.average[c * n + k] = a.primitives[c];
     }
     show_pieces(a.state, a.state.bodies[0], s, a.counters);
     const BodyBlock<Dim>& was = before.state.bodies[0].at(s);

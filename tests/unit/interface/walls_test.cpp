@@ -204,7 +204,7 @@ TYPED_TEST(Walls, ARigidWallStopsABody) {
   const double speed = 50, wall_speed = 10;
   auto p =
       this->facing(0, moving<dim>(this->material, speed * this->normal), moving<dim>(this->material, {}));
-  p.state.bodies[1].rigid = RigidMotion<dim>{half_space(this->middle, -this->normal)};
+  p.state.bodies[1].rigid.emplace().distance = half_space(this->middle, -this->normal);
   set_moving(*p.state.bodies[1].rigid, wall_speed * this->normal, {});
   p.prepare();
   find_all(p, this->dt);

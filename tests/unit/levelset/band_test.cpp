@@ -53,7 +53,7 @@ TYPED_TEST(Bands, BlocksAreKeptWhereTheBodyOrItsSurfaceIs) {
 
 TYPED_TEST(Bands, FarBlocksHoldNothing) {
   constexpr int dim = TestFixture::dim;
-  this->state.bodies[0].rigid = RigidMotion<dim>{this->surface()};
+  this->state.bodies[0].rigid.emplace().distance = this->surface();
   this->settle();
   this->for_each_block([&](int column, const BodyBlock<dim>& b) {
     EXPECT_EQ(b.present, column > 0) << column;  // a rigid body needs only its surface

@@ -179,7 +179,7 @@ TYPED_TEST(Following, RigidBodiesAreWhereTheirMotionPutsThem) {
   auto& state = this->state;
   Vec<dim> u;
   u[0] = 20;
-  state.bodies[0].rigid = RigidMotion<dim>{ball(middle_of(this->grid), 6.3 * this->grid.dx)};
+  state.bodies[0].rigid.emplace().distance = ball(middle_of(this->grid), 6.3 * this->grid.dx);
   set_moving(*state.bodies[0].rigid, u, {});
   const double time = 2.6 * this->grid.dx / u[0];
   for (int s = 0; s < state.mesh.local(); ++s) place_rigid(state, state.bodies[0], s, time, PhiAt::midstep);
