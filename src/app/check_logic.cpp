@@ -49,10 +49,26 @@ double thickness(const Shape& s, const config::Domain& domain) {
   }
 }
 
+/// Thinner rigid bodies that lie askew let matter past: the level set does not resolve their two sides.
+constexpr double rigid_cells_needed = 4;
+
+void check_rigid_thickness(LoadedCase& loaded, const Body& body, double t) {
+  const bool along_mesh = body.shape.kind == Shape::Kind::box && body.shape.rotation == 0;
+  if (along_mesh || t >= rigid_cells_needed * loaded.contents.mesh.finest) return;
+  loaded.found.warning(
+      body.shape.place,
+      fmt::format(
+          "rigid body '{}' is {:.3g} cells thick: surfaces that lie askew to the mesh then bear only part of "
+          "the contact, and matter can leak past; about {:.0f} cells are needed",
+          body.name, t / loaded.contents.mesh.finest, rigid_cells_needed),
+      fmt::format("make it thicker, or finest = \"{:.3g} mm\"", t / rigid_cells_needed * 1e3));
+}
+
 void check_thickness(LoadedCase& loaded) {
   const Case& c = loaded.contents;
   for (const Body& body : c.bodies) {
     const double t = thickness(body.shape, c.domain);
+    if (body.rigid) check_rigid_thickness(loaded, body, t);
     if (body.rigid || t > (cells_needed - 1e-6) * c.mesh.finest) continue;
     const double cure = t / cells_needed;
     const double cost = std::pow(c.mesh.finest / cure, 1 + config::dimension(c.domain.geometry));

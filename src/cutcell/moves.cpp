@@ -367,6 +367,7 @@ template <int Dim>
 void average_bad_states(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
+  if (b.reach.size() == 0) return;  // nothing is here
   const Pieces<Dim> p(state, body, slot, 3 * width, scratch);
   const auto n = static_cast<std::size_t>(p.window.size());
   auto* role = scratch.take<std::uint8_t>(n);

@@ -38,6 +38,20 @@ TEST(CheckLogic, ThinBodyGetsACure) {
   EXPECT_NE(text.find("finest = \"0.1 mm\" gives 20"), std::string::npos) << text;
 }
 
+TEST(CheckLogic, ThinRigidBodyAskewToTheMeshIsAWarning) {
+  const auto thin = [](const std::string& rotation) {
+    LoadedCase loaded = load_case(std::string(RECOIL_SOURCE_DIR) + "/cases/friction_wedge",
+                                  {"body.wedge.shape={ kind = \"rectangle\", x = [\"-4 mm\", \"4 "
+                                   "mm\"], y = [\"-0.4 mm\", \"-0.2 mm\"], "
+                                   "rotation = \"" +
+                                   rotation + "\" }"});
+    check_logic(loaded);
+    return loaded.found.text();
+  };
+  EXPECT_NE(thin("20 deg").find("rigid body 'wedge' is 2 cells thick"), std::string::npos) << thin("20 deg");
+  EXPECT_EQ(thin("0 deg").find("rigid body"), std::string::npos) << thin("0 deg");
+}
+
 TEST(CheckLogic, GaugeOffTheSurface) {
   const std::string text = messages({"gauge.rear.at.x=14 mm"});
   EXPECT_NE(text.find("gauge 'rear' is not on the surface of 'target' but 1 mm below it"), std::string::npos)

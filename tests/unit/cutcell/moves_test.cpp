@@ -307,5 +307,19 @@ TYPED_TEST(Moves, NothingMovesInASettledBody) {
   EXPECT_EQ(totals(state, 0), before);
 }
 
+/// A block that the surface only comes near to, with nothing in it: it has no cells to look at.
+TYPED_TEST(Moves, BlocksWithoutReachAreLeftAlone) {
+  auto state = this->ball_of(0);
+  this->run(state, [&](int s, Scratch& scratch) {
+    auto& body = state.bodies[0];
+    body.at(s).reach = {};
+    for (int width = 1; width <= 3; ++width) average_bad_states(state, body, s, width, scratch);
+    empty_outside(state, body, s, scratch);
+    fill_inside(state, body, s, scratch);
+    bound_volumes(state, body, s, this->counters, scratch);
+    EXPECT_TRUE(body.at(s).updates.empty());
+  });
+}
+
 }  // namespace
 }  // namespace recoil
