@@ -159,6 +159,60 @@ TYPED_TEST(Walls, SlidingIsFree) {
   });
 }
 
+/// Coulomb's law on the wall: tau = mu |sigma| against the sliding, the same for both with opposite sign.
+TYPED_TEST(Walls, FrictionHoldsBackWhatSlides) {
+  constexpr int dim = TestFixture::dim;
+  if (dim == 1) return;
+  Vec<dim> along;
+  along[0] = -this->normal[1];
+  along[1] = this->normal[0];
+  along = unit(along);
+  auto p = this->facing(0, moving<dim>(this->material, 40.0 * this->normal + 300.0 * along),
+                        moving<dim>(this->material, -200.0 * along));
+  p.state.contact[0] = {ContactLaw::Mode::friction, 0.3};
+  find_all(p, this->dt);
+  this->expect_balance(p);
+  const double stress = 20 * this->z;  // impact of equal bodies at 40 m/s
+  for (int m = 0; m < 2; ++m)
+    p.for_each_wall(m, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>& i) {
+      if (!this->inside(i)) return;
+      const double side = m == 0 ? 1 : -1;
+      ASSERT_NEAR(dot(w.shear, along), -side * 0.3 * stress, 1e-6 * stress);
+      ASSERT_NEAR(dot(w.force, along), -0.3 * side * std::abs(dot(w.force, this->normal)),
+                  1e-6 * norm(w.force));
+      // The surfaces are slowed by tau/Z_s; both sides work with their mean.
+      const double slowed = 0.3 * stress / std::sqrt(8930 * 43.33e9);
+      ASSERT_NEAR(dot(w.velocity, along), m == 0 ? 300 - slowed : -200 + slowed, 1e-6);
+      ASSERT_NEAR(w.power, dot(w.force, this->normal) * 20 + dot(w.force, along) * 50,
+                  1e-8 * std::abs(w.power));
+    });
+}
+
+/// Slow sliding sticks; what is glued holds also when it is pulled apart.
+TYPED_TEST(Walls, StickingAndGluedSurfacesMoveTogether) {
+  constexpr int dim = TestFixture::dim;
+  Vec<dim> along;
+  if constexpr (dim > 1) {
+    along[0] = -this->normal[1];
+    along[1] = this->normal[0];
+  }
+  const std::array<ContactLaw, 2> laws{{{ContactLaw::Mode::friction, 0.3}, {ContactLaw::Mode::bonded, 0}}};
+  for (const ContactLaw& law : laws) {
+    const bool glued = law.mode == ContactLaw::Mode::bonded;
+    const Vec<dim> u = (glued ? -40.0 : 40.0) * this->normal + 4.0 * along;
+    auto p = this->facing(0, moving<dim>(this->material, u), moving<dim>(this->material, {}));
+    p.state.contact[0] = law;
+    find_all(p, this->dt);
+    this->expect_balance(p);
+    for (int m = 0; m < 2; ++m)
+      p.for_each_wall(m, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>& i) {
+        if (!this->inside(i)) return;
+        ASSERT_LT(norm(w.velocity - 0.5 * u), 1e-9);
+        ASSERT_NEAR(w.traction, (glued ? 20 : -20) * this->z, 1e-6 * this->z);
+      });
+  }
+}
+
 TYPED_TEST(Walls, PartingBodiesAreFree) {
   constexpr int dim = TestFixture::dim;
   auto p = this->facing(0, moving<dim>(this->material, -5.0 * this->normal), moving<dim>(this->material, {}));
