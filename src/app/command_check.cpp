@@ -101,7 +101,7 @@ Json shock_json(const ShockState& s) {
 }
 
 Json prediction_json(const PlatePrediction& p, const config::Case& c) {
-  constexpr const char* partings[] = {"flyer-release", "target-release", "neutral", "unknown"};
+  constexpr const char* partings[] = {"flyer-release", "target-release", "neutral", "unknown", "never"};
   Json j{{"flyer", c.bodies[static_cast<std::size_t>(p.pair.flyer)].name},
          {"target", c.bodies[static_cast<std::size_t>(p.pair.target)].name},
          {"contact", p.contact},

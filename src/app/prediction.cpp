@@ -231,6 +231,8 @@ std::string parting_line(const PlatePrediction& p, const std::string& flyer) {
       return fmt::format("  unloaded without a pull (equal impedances) about {:.3g} us\n", p.opens * 1e6);
     case Parting::open:
       return "  no parting from free rear faces\n";
+    case Parting::never:
+      return "  never opens: the contact is bonded\n";
   }
   return {};
 }
@@ -274,7 +276,12 @@ PlatePrediction predict(const PlatePair& pair, const Case& c, const std::vector<
   p.stress = impact.stress;
   p.flyer_shock = impact.flyer;
   p.target_shock = impact.target;
-  predict_parting(p, impact, materials[f], materials[t]);
+  if (c.contact.between(c.bodies[f].name, c.bodies[t].name).mode == config::ContactChoice::Mode::bonded) {
+    p.parting = Parting::never;
+    p.opens = endless;
+  } else {
+    predict_parting(p, impact, materials[f], materials[t]);
+  }
   if (!p.flyer_rigid)
     p.flyer_rear_after = p.velocity - pair.direction * unloading_velocity(impact.flyer, materials[f]);
   if (!p.target_rigid && pair.target_rear_free && std::isfinite(pair.target_thickness))

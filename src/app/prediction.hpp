@@ -30,7 +30,8 @@ enum class Parting {
   by_flyer_release,   // the release from the flyer's rear pulls: it is thrown back
   by_target_release,  // it stays until the release from the target's rear comes
   neutral,            // equal impedances: unloaded by the flyer's release without a pull
-  open                // not known: a rear face is not free
+  open,               // not known: a rear face is not free
+  never               // bonded
 };
 
 /// What one-dimensional wave theory says about a pair, without the rate term of the strength.

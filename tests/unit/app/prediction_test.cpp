@@ -47,6 +47,13 @@ TEST(Prediction, AluminiumOnCopper) {
   EXPECT_NEAR(p.flyer_rear_after, -174.6, 7);
 }
 
+TEST(Prediction, BondedPlatesNeverOpen) {
+  const PlatePrediction p = predicted(cases + "flyer_bonded");
+  EXPECT_NEAR(p.stress, 5.0838e9, 1e6);
+  EXPECT_EQ(p.parting, Parting::never);
+  EXPECT_TRUE(std::isinf(p.opens));
+}
+
 TEST(Prediction, CopperOnAluminiumStaysUntilTheTargetsRelease) {
   const PlatePrediction p = predicted(cases + "flyer_cu_al");
   EXPECT_NEAR(p.velocity, 316.31, 0.02);
