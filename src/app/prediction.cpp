@@ -61,15 +61,21 @@ bool beside(const Extent& a, const Extent& b, std::size_t axis, int dim) {
   return true;
 }
 
-/// Half of the least width that two bodies share across the axis; a radius counts from the centre [m].
+/// How far the middle of what two bodies share is from its nearest free side: half of the least width, or all
+/// of it from a plane of symmetry or an axis. Nowhere if it runs from one edge to the other and no edge is
+/// open [m].
 double half_width(const Extent& a, const Extent& b, std::size_t axis, const config::Domain& domain) {
   double least = endless;
   for (std::size_t d = 0; d < static_cast<std::size_t>(config::dimension(domain.geometry)); ++d) {
     if (d == axis) continue;
     const double lo = std::max({a.lo[d], b.lo[d], domain.lo[d]}),
                  hi = std::min({a.hi[d], b.hi[d], domain.hi[d]});
-    const bool mirrored = domain.boundary[d][0] != config::Boundary::outflow && lo <= domain.lo[d];
-    least = std::min(least, mirrored ? hi - lo : 0.5 * (hi - lo));
+    const auto held = [&](std::size_t end, bool reaches) {
+      return domain.boundary[d][end] != config::Boundary::outflow && reaches;
+    };
+    const bool low = held(0, lo <= domain.lo[d]), high = held(1, hi >= domain.hi[d]);
+    if (low && high) continue;
+    least = std::min(least, low || high ? hi - lo : 0.5 * (hi - lo));
   }
   return least;
 }

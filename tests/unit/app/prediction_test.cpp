@@ -75,6 +75,12 @@ TEST(Prediction, ReleaseOvertakesTheShock) {
   }
 }
 
+// Without free sides nothing comes from them; with planes of symmetry it comes from the far ends alone.
+TEST(Prediction, ReleasesComeFromFreeSidesOnly) {
+  EXPECT_TRUE(std::isinf(predicted(cases + "contact_restitution_3d").pair.half_width));
+  EXPECT_NEAR(predicted(cases + "contact_finite_plates").pair.half_width, 3e-3, 1e-9);
+}
+
 TEST(Prediction, AGapDelaysAndARigidTargetTakesTheWholeVelocity) {
   const PlatePrediction p =
       predicted(cases + "flyer_al_cu", {"body.target.shape.x=[\"0.45 mm\", \"15 mm\"]"});
