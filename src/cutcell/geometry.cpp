@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cutcell/clip.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double shared_gap = 0.15;         // closer than this [dx], one surface cuts both
 constexpr double shared_contact_gap = 0.5;  // or than this beside cells in contact
 constexpr double off_node = 1e-6;           // a surface is kept this far [dx] from nodes
+constexpr double exact_band = 3;            // nodes of rigid bodies nearer than this [dx] are exact
 
 /// phi at the nodes of one block for one body. Node i is the low corner of cell i.
 struct Nodes {
@@ -38,9 +40,32 @@ void around_node(const Window<Dim>& w, F&& f) {
   }
 }
 
+/// Distance of a node from a rigid body. A node on an edge of a period is a node on the opposite edge as
+/// well: the nearer of what both see.
 template <int Dim>
-Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt when, Scratch& scratch) {
+double rigid_node(const Grid<Dim>& grid, const RigidMotion<Dim>& motion, const RigidPose<Dim>& pose,
+                  const Index<Dim>& i) {
+  int both = 0;
+  for (int d = 0; d < Dim; ++d)
+    if (grid.periodic(d) && (i[d] == 0 || i[d] == grid.cells[d])) both |= 1 << d;
+  double nearest = far_cells * grid.dx;
+  for (int c = 0; c < 1 << Dim; ++c) {
+    if ((c & both) != c) continue;
+    Vec<Dim> x;
+    for (int d = 0; d < Dim; ++d) {
+      const int at = (both >> d & 1) == 0 ? i[d] : (c >> d & 1) != 0 ? grid.cells[d] : 0;
+      x[d] = grid.origin[d] + at * grid.dx;
+    }
+    nearest = std::min(nearest, distance_at(motion, pose, x));
+  }
+  return nearest;
+}
+
+template <int Dim>
+Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt when, double ahead,
+                  Scratch& scratch) {
   const Body<Dim>& b = state.bodies[static_cast<std::size_t>(body)];
+  const auto pose = b.rigid ? std::optional(pose_after(*b.rigid, ahead)) : std::nullopt;
   const auto cells = static_cast<std::size_t>(w.size());
   const Box<Dim> nodes = node_box(w.inner());
   Nodes n{body, b.rigid.has_value(), scratch.take<double>(static_cast<std::size_t>(nodes.size())), nullptr};
@@ -59,6 +84,15 @@ Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt
              Beyond::extend, contact);
     n.contact = scratch.take<std::uint32_t>(static_cast<std::size_t>(nodes.size()));
   }
+  // Nodes on open edges see bodies continued as the first cells are: all alike.
+  const auto at_outflow = [&grid = state.grid()](const Index<Dim>& i) {
+    for (int d = 0; d < Dim; ++d) {
+      const auto& edge = grid.edge[static_cast<std::size_t>(d)];
+      if ((i[d] == 0 && edge[0] == Edge::outflow) || (i[d] == grid.cells[d] && edge[1] == Edge::outflow))
+        return true;
+    }
+    return false;
+  };
   const double share = 1.0 / (1 << Dim), push = off_node * state.grid().dx;
   int k = 0;
   for_each(nodes, [&](const Index<Dim>& i) {
@@ -69,7 +103,8 @@ Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt
       sum += phi[at + o];
       if (contact) bits |= contact[at + o];
     });
-    const double value = share * sum;
+    const bool exact = pose && std::abs(share * sum) < exact_band * state.grid().dx && !at_outflow(i);
+    const double value = exact ? rigid_node(state.grid(), *b.rigid, *pose, i) : share * sum;
     n.phi[k] = std::abs(value) < push ? (value < 0 ? -push : push) : value;
     if (contact) n.contact[k] = bits;
     ++k;
@@ -178,7 +213,8 @@ Box<Dim> matter_box(const Window<Dim>& w, const BodyBlock<Dim>& b) {
 }  // namespace
 
 template <int Dim>
-void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, Scratch& scratch) {
+void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, Scratch& scratch,
+                   double ahead) {
   Box<Dim> reach{};
   for (const Body<Dim>& body : state.bodies) {
     const BodyBlock<Dim>& b = body.at(slot);
@@ -193,7 +229,7 @@ void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, S
   std::vector<Nodes> nodes;
   for (int m = 0; m < state.count(); ++m) {
     const BodyBlock<Dim>& b = state.bodies[static_cast<std::size_t>(m)].at(slot);
-    if (b.present && b.near_surface) nodes.push_back(node_values(state, w, m, when, scratch));
+    if (b.present && b.near_surface) nodes.push_back(node_values(state, w, m, when, ahead, scratch));
   }
   const int n = node_box(w.inner()).size();
   if (surfaces == Surfaces::shared && nodes.size() > 1)
@@ -245,6 +281,25 @@ Vec<Dim> phi_normal(const Box<Dim>& window, const double* phi, const Index<Dim>&
 }
 
 template <int Dim>
+Vec<Dim> rigid_normal(const Grid<Dim>& grid, const RigidMotion<Dim>& motion, const RigidPose<Dim>& pose,
+                      const Vec<Dim>& x) {
+  const double half = 0.25 * grid.dx;
+  Vec<Dim> g;
+  for (int d = 0; d < Dim; ++d) {
+    const auto& edge = grid.edge[static_cast<std::size_t>(d)];
+    const double lo = grid.origin[d], hi = lo + grid.cells[d] * grid.dx;
+    Vec<Dim> low = x, high = x;
+    low[d] -= half;
+    high[d] += half;
+    if (low[d] < lo) low[d] = edge[0] == Edge::reflect ? 2 * lo - low[d] : std::min(lo, x[d]);
+    if (high[d] > hi) high[d] = edge[1] == Edge::reflect ? 2 * hi - high[d] : std::max(hi, x[d]);
+    const double width = low[d] < high[d] && high[d] - low[d] < 2 * half ? high[d] - low[d] : 2 * half;
+    g[d] = (distance_at(motion, pose, high) - distance_at(motion, pose, low)) * (2 * half / width);
+  }
+  return unit(g);
+}
+
+template <int Dim>
 double interpolate(const Grid<Dim>& grid, const Box<Dim>& window, const double* phi, const Vec<Dim>& x) {
   Index<Dim> i;
   Vec<Dim> t;
@@ -270,10 +325,12 @@ double interpolate(const Grid<Dim>& grid, const Box<Dim>& window, const double* 
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                             \
-  template void find_geometry<Dim>(State<Dim>&, int, Surfaces, PhiAt, Scratch&);                            \
+  template void find_geometry<Dim>(State<Dim>&, int, Surfaces, PhiAt, Scratch&, double);                    \
   template double open_area<Dim>(const Grid<Dim>&, const Geometry<Dim>&, int, const Index<Dim>&, int, int); \
   template void open_areas<Dim>(const Grid<Dim>&, const Window<Dim>&, const Geometry<Dim>&, int, double*);  \
   template Vec<Dim> phi_normal<Dim>(const Box<Dim>&, const double*, const Index<Dim>&, double);             \
+  template Vec<Dim> rigid_normal<Dim>(const Grid<Dim>&, const RigidMotion<Dim>&, const RigidPose<Dim>&,     \
+                                      const Vec<Dim>&);                                                     \
   template double interpolate<Dim>(const Grid<Dim>&, const Box<Dim>&, const double*, const Vec<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -17,9 +17,19 @@ enum class PhiAt { now, midstep };
 /// Finds for all bodies of one block which cells are full, empty or cut, and how. Node values are means of
 /// phi over the 2^Dim cells around. Writes BodyBlock::geometry (midstep) or ::settled (now). Where two bodies
 /// are closer than 0.15 dx, or than 0.5 dx beside cells in contact with each other, the nodes of both take
-/// (phi_m - phi_k)/2 and its negative, so that both are cut by the same surface.
+/// (phi_m - phi_k)/2 and its negative, so that both are cut by the same surface. Rigid bodies are known
+/// exactly: their nodes take the distance itself, which means of phi would round where they are thin or
+/// sharp.
+/// @param ahead seconds from now to `when`.
 template <int Dim>
-void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, Scratch& scratch);
+void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, Scratch& scratch,
+                   double ahead = 0);
+
+/// Outward normal of a rigid body in a pose near x: differences of its distance over dx / 2, mirrored at
+/// planes of symmetry and one-sided at other edges of the domain.
+template <int Dim>
+Vec<Dim> rigid_normal(const Grid<Dim>& grid, const RigidMotion<Dim>& motion, const RigidPose<Dim>& pose,
+                      const Vec<Dim>& x);
 
 /// Open area of the [low, high] face across axis d of a cell of any kind.
 template <int Dim>

@@ -40,24 +40,33 @@ struct Around {
   double dt, booked, area;         // dx^(Dim-1)
   std::vector<const double*> phi;  // by body, in the window; null where absent
   std::vector<const std::uint32_t*> contact;
+  std::vector<RigidPose<Dim>> pose;  // by body, of rigid ones
 
+  /// phi of a body at x: exact of a rigid one, whose other side may be near.
+  double distance(int m, const Vec<Dim>& x) const {
+    const auto k = static_cast<std::size_t>(m);
+    const Body<Dim>& body = state.bodies[k];
+    return body.rigid ? distance_at(*body.rigid, pose[k], x)
+                      : interpolate(state.grid(), window.box(), phi[k], x);
+  }
   double dx() const { return state.grid().dx; }
 };
 
 template <int Dim>
 Around<Dim> look_around(State<Dim>& state, int slot, double dt, double share, Scratch& scratch) {
-  Around<Dim> a{state, slot, Window<Dim>(state.mesh, slot, 1), dt, share * dt, state.grid().dx_power(Dim - 1),
-                {},    {}};
+  Around<Dim> a{state, slot,       Window<Dim>(state.mesh, slot, 1),
+                dt,    share * dt, state.grid().dx_power(Dim - 1),
+                {},    {},         {}};
   const auto n = static_cast<std::size_t>(a.window.size());
   for (const Body<Dim>& body : state.bodies) {
     a.phi.push_back(nullptr);
     a.contact.push_back(nullptr);
-    if (!body.present(slot)) continue;
+    a.pose.push_back(body.rigid ? pose_after(*body.rigid, 0) : RigidPose<Dim>{});
+    if (!body.present(slot) || body.rigid) continue;
     double* phi = scratch.take<double>(n);
     a.window.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; },
                     far_cells * a.dx(), Beyond::extend, phi);
     a.phi.back() = phi;
-    if (body.rigid) continue;
     auto* contact = scratch.take<std::uint32_t>(n);
     a.window.gather([&](int s) { return body.present(s) ? body.at(s).contact.data() : nullptr; },
                     std::uint32_t{0}, Beyond::extend, contact);
@@ -90,10 +99,10 @@ void act(Side<Dim>& s, const Vec<Dim>& force, double power, const Vec<Dim>& velo
 
 /// Direction from the first body into the second, and the area that their surfaces share.
 template <int Dim>
-double shared_area(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, const Index<Dim>& i,
-                   Vec<Dim>& e) {
+double shared_area(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, Vec<Dim>& e) {
   if (second.rigid) {
-    e = -phi_normal(a.window.box(), a.phi[static_cast<std::size_t>(second.body)], i, a.dx());
+    const auto k = static_cast<std::size_t>(second.body);
+    e = -rigid_normal(a.state.grid(), *a.state.bodies[k].rigid, a.pose[k], first.cut->point);
     const double own = dot(first.rest, e);
     return a.state.grid().axisymmetric ? own : std::min(own, norm(second.cut->surface) * 1.0000001);
   }
@@ -159,7 +168,7 @@ template <int Dim>
 void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double gap, const Index<Dim>& i,
               double face) {
   Vec<Dim> e;
-  const double area = shared_area(a, first, second, i, e);
+  const double area = shared_area(a, first, second, e);
   if (area <= 1e-12 * face) return;
   const auto& bodies = a.state.bodies;
   const Body<Dim>&one = bodies[static_cast<std::size_t>(first.body)],
@@ -206,11 +215,8 @@ void touch_all(const Around<Dim>& a, std::vector<Side<Dim>>& sides, const Index<
       if (sides[m].rigid && sides[q].rigid) continue;
       const bool swap = sides[m].rigid;
       const Side<Dim>& first = sides[swap ? q : m];
-      const Grid<Dim>& grid = a.state.grid();
       const double gap =
-          interpolate(grid, a.window.box(), a.phi[static_cast<std::size_t>(sides[m].body)],
-                      first.cut->point) +
-          interpolate(grid, a.window.box(), a.phi[static_cast<std::size_t>(sides[q].body)], first.cut->point);
+          a.distance(sides[m].body, first.cut->point) + a.distance(sides[q].body, first.cut->point);
       if (gap <= touching_gap * a.dx() && n < pairs.size()) pairs[n++] = {gap, swap ? q : m, swap ? m : q};
     }
   std::stable_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(n),

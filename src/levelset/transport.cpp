@@ -79,7 +79,8 @@ Box<Dim> around_cell(const Index<Dim>& centre, int reach, const Box<Dim>& window
   return b;
 }
 
-constexpr int surface_reach = 8;  // foot points lie up to 5 cells away, the walls asked there 3 more
+constexpr double allowed_overlap = 0.1;  // [dx] of a body and a rigid one; contacts stay below
+constexpr int surface_reach = 8;         // foot points lie up to 5 cells away, the walls asked there 3 more
 
 }  // namespace
 
@@ -214,12 +215,25 @@ void place_rigid(const State<Dim>& state, Body<Dim>& body, int slot, double ahea
   });
 }
 
+template <int Dim>
+void cut_out_rigid(const State<Dim>& state, Body<Dim>& body, int slot) {
+  BodyBlock<Dim>& b = body.at(slot);
+  const double slack = allowed_overlap * state.grid().dx;
+  if (!b.near_surface) return;
+  for (const Body<Dim>& other : state.bodies) {
+    if (!other.rigid || !other.present(slot)) continue;
+    const double* rigid = other.at(slot).phi.data();
+    for (std::size_t k = 0; k < b.phi.size(); ++k) b.phi[k] = std::max(b.phi[k], -rigid[k] - slack);
+  }
+}
+
 #define RECOIL_INSTANTIATE(Dim)                                                                             \
   template void spread_wall_velocity<Dim>(const State<Dim>&, Body<Dim>&, int, double, Counters&, Scratch&); \
   template void carry<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                           \
   template void carry_again<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                     \
   template void follow_volume<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                   \
-  template void place_rigid<Dim>(const State<Dim>&, Body<Dim>&, int, double, PhiAt);
+  template void place_rigid<Dim>(const State<Dim>&, Body<Dim>&, int, double, PhiAt);                        \
+  template void cut_out_rigid<Dim>(const State<Dim>&, Body<Dim>&, int);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

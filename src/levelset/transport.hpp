@@ -30,4 +30,9 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
 template <int Dim>
 void place_rigid(const State<Dim>& state, Body<Dim>& body, int slot, double ahead, PhiAt where);
 
+/// Takes rigid bodies out of the level set of another: phi = max(phi, -phi_rigid - 0.1 dx). Transport cannot
+/// bend a surface around an edge thinner than a cell; contacts overlap less. V and contents stay as they are.
+template <int Dim>
+void cut_out_rigid(const State<Dim>& state, Body<Dim>& body, int slot);
+
 }  // namespace recoil

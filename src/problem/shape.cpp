@@ -61,8 +61,15 @@ bool on_edge(const std::array<double, 2>& a, const std::array<double, 2>& b, con
   return false;
 }
 
+/// Edges on the edge of the domain do not count, and points on or beyond it are inside where the domain next
+/// to them is.
 double polygon_distance(const std::vector<std::array<double, 2>>& v, const config::Domain& domain,
                         bool turned, const Vec<2>& x) {
+  Vec<2> within = x;
+  for (int d = 0; d < 2 && !turned; ++d) {
+    const double lo = domain.lo[static_cast<std::size_t>(d)], hi = domain.hi[static_cast<std::size_t>(d)];
+    within[d] = std::clamp(x[d], lo + 1e-9 * (hi - lo), hi - 1e-9 * (hi - lo));
+  }
   double nearest2 = 1e300;
   bool inside = false;
   for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++) {
@@ -71,7 +78,9 @@ double polygon_distance(const std::vector<std::array<double, 2>>& v, const confi
     const double t = length2 > 0 ? std::clamp((wx * ex + wy * ey) / length2, 0.0, 1.0) : 0.0;
     const double dx = wx - t * ex, dy = wy - t * ey;
     if (turned || !on_edge(v[i], v[j], domain)) nearest2 = std::min(nearest2, dx * dx + dy * dy);
-    if ((v[i][1] > x[1]) != (v[j][1] > x[1]) && x[0] < v[i][0] + ex * (x[1] - v[i][1]) / ey) inside = !inside;
+    if ((v[i][1] > within[1]) != (v[j][1] > within[1]) &&
+        within[0] < v[i][0] + ex * (within[1] - v[i][1]) / ey)
+      inside = !inside;
   }
   return (inside ? -1 : 1) * std::sqrt(nearest2);
 }

@@ -102,9 +102,10 @@ void Phases<Dim>::carry_surfaces_half(double dt) {
 }
 
 template <int Dim>
-void Phases<Dim>::cut_cells(Surfaces surfaces, PhiAt when) {
-  for_each_slot(StepPart::geometry,
-                [&](int slot, Scratch& scratch) { find_geometry(state_, slot, surfaces, when, scratch); });
+void Phases<Dim>::cut_cells(Surfaces surfaces, PhiAt when, double ahead) {
+  for_each_slot(StepPart::geometry, [&](int slot, Scratch& scratch) {
+    find_geometry(state_, slot, surfaces, when, scratch, ahead);
+  });
   share(when == PhiAt::midstep ? part_geometry : part_settled);
 }
 
@@ -213,6 +214,15 @@ void Phases<Dim>::carry_surfaces(double dt) {
     carry_again(state_, body, slot, dt, scratch);
   });
   place_rigid_bodies(0, PhiAt::now);
+  share(part_phi);
+}
+
+template <int Dim>
+void Phases<Dim>::cut_out_rigid_bodies() {
+  const auto rigid = [](const Body<Dim>& body) { return body.rigid.has_value(); };
+  if (std::none_of(state_.bodies.begin(), state_.bodies.end(), rigid)) return;
+  for_each_body(StepPart::level_set,
+                [&](Body<Dim>& body, int slot, Scratch&) { cut_out_rigid(state_, body, slot); });
   share(part_phi);
 }
 

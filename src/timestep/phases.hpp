@@ -32,7 +32,7 @@ class Phases {
   void keep_old();
   /// phi_next = phi half a step on, with the last step's carrier.
   void carry_surfaces_half(double dt);
-  void cut_cells(Surfaces surfaces, PhiAt when);
+  void cut_cells(Surfaces surfaces, PhiAt when, double ahead = 0);
   void choose_donors_and_ghosts(Cells cells = Cells::cut);
 
   void find_walls(double dt, double share);
@@ -48,6 +48,8 @@ class Phases {
   /// To the end of the step; free ones with what their contacts have given them.
   void move_rigid_bodies(double dt);
   void carry_surfaces(double dt);
+  /// No level set reaches into a rigid body.
+  void cut_out_rigid_bodies();
   void remember_contact();
   void redistance(double dt);
   void exchange_along_surfaces();

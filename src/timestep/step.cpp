@@ -15,7 +15,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   const double dt = step.choose_length(stepping, until);
   step.keep_old();
   step.carry_surfaces_half(dt);
-  step.cut_cells(Surfaces::shared, PhiAt::midstep);
+  step.cut_cells(Surfaces::shared, PhiAt::midstep, 0.5 * dt);
   step.choose_donors_and_ghosts();
 
   for (const Stage& stage : ssp_rk3) {
@@ -36,6 +36,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   // The level set goes with the walls, then follows the volumes; volume moves only with its contents.
   step.move_rigid_bodies(dt);
   step.carry_surfaces(dt);
+  step.cut_out_rigid_bodies();
   step.remember_contact();
   step.redistance(dt);
   step.cut_cells(Surfaces::own, PhiAt::now);

@@ -42,13 +42,13 @@ TEST(CheckLogic, ThinRigidBodyAskewToTheMeshIsAWarning) {
   const auto thin = [](const std::string& rotation) {
     LoadedCase loaded = load_case(std::string(RECOIL_SOURCE_DIR) + "/cases/friction_wedge",
                                   {"body.wedge.shape={ kind = \"rectangle\", x = [\"-4 mm\", \"4 "
-                                   "mm\"], y = [\"-0.4 mm\", \"-0.2 mm\"], "
+                                   "mm\"], y = [\"-0.3 mm\", \"-0.2 mm\"], "
                                    "rotation = \"" +
                                    rotation + "\" }"});
     check_logic(loaded);
     return loaded.found.text();
   };
-  EXPECT_NE(thin("20 deg").find("rigid body 'wedge' is 2 cells thick"), std::string::npos) << thin("20 deg");
+  EXPECT_NE(thin("20 deg").find("rigid body 'wedge' is 1 cells thick"), std::string::npos) << thin("20 deg");
   EXPECT_EQ(thin("0 deg").find("rigid body"), std::string::npos) << thin("0 deg");
 }
 

@@ -195,14 +195,15 @@ TYPED_TEST(Geometries, BodiesApartKeepTheirOwnSurfacesUnlessTheyTouched) {
 
 TYPED_TEST(Geometries, ARigidBodyKeepsItsSurfaceAndCutsTheOther) {
   constexpr int dim = TestFixture::dim;
-  Pair<dim> pair(this->grid, this->middle, TestFixture::tilted(), 0.1);
+  const Vec<dim> n = TestFixture::tilted();
+  Pair<dim> pair(this->grid, this->middle, n, 0.1);
+  pair.state.bodies[1].rigid.emplace().distance = half_space(this->middle + 0.05 * this->grid.dx * n, -n);
   cut_all(pair.state, Surfaces::own);
   std::vector<Vec<dim>> own;
   for_each(this->grid.domain(), [&](const Index<dim>& i) {
     const auto* cut = cut_at(pair.state, 1, i);
     own.push_back(cut ? cut->surface : Vec<dim>{});
   });
-  pair.state.bodies[1].rigid = RigidMotion<dim>{};
   cut_all(pair.state, Surfaces::shared);
   pair.count();
   EXPECT_GT(pair.both, 0);
@@ -212,6 +213,51 @@ TYPED_TEST(Geometries, ARigidBodyKeepsItsSurfaceAndCutsTheOther) {
     const auto* cut = cut_at(pair.state, 1, i);
     EXPECT_EQ(cut ? cut->surface : Vec<dim>{}, own[k++]);
   });
+}
+
+/// Means of phi round a corner away; the distance itself does not.
+TYPED_TEST(Geometries, NodesOfRigidBodiesAreExact) {
+  constexpr int dim = TestFixture::dim;
+  if constexpr (dim == 2) {
+    const double dx = this->grid.dx;
+    Vec<2> tip = this->middle;
+    for (int d = 0; d < 2; ++d)
+      tip[d] = this->grid.origin[d] + (std::floor((tip[d] - this->grid.origin[d]) / dx) + 0.1) * dx;
+    const Distance<2> quarter = [=](const Vec<2>& x) { return std::max(tip[0] - x[0], tip[1] - x[1]); };
+    auto state = make_test_state<2>(this->grid, {quarter});
+    state.bodies[0].rigid.emplace().distance = quarter;
+    cut_all(state);
+    const auto* cut = cut_at(state, 0, this->grid.cell_of(tip));
+    ASSERT_NE(cut, nullptr);
+    // Three corners of the cell are outside by 0.1 dx, the fourth is inside by 0.9 dx.
+    EXPECT_NEAR(cut->open[0][1], 0.9 * dx, 1e-12);
+    EXPECT_NEAR(cut->open[1][1], 0.9 * dx, 1e-12);
+  }
+}
+
+TYPED_TEST(Geometries, NormalsOfRigidBodies) {
+  constexpr int dim = TestFixture::dim;
+  const double dx = this->grid.dx, thickness = 0.8 * dx;
+  const Vec<dim> n = TestFixture::tilted();
+  RigidMotion<dim> slab;
+  slab.distance = [=, this](const Vec<dim>& x) {
+    return std::abs(dot(x - this->middle, n)) - 0.5 * thickness;
+  };
+  const auto pose = pose_after(slab, 0);
+  for (const double side : {-1.0, 1.0})
+    EXPECT_LT(
+        norm(rigid_normal(this->grid, slab, pose, this->middle + 0.5 * side * thickness * n) - side * n),
+        1e-12);
+  // At a plane of symmetry a ball's normal lies in the plane.
+  auto mirrored = this->grid;
+  mirrored.edge[0] = {Edge::reflect, Edge::reflect};
+  Vec<dim> centre = this->middle;
+  centre[0] = mirrored.origin[0];
+  RigidMotion<dim> round;
+  round.distance = ball(centre, 3 * dx);
+  Vec<dim> pole = centre;
+  pole[dim - 1] += 3 * dx;
+  EXPECT_NEAR(rigid_normal(mirrored, round, pose_after(round, 0), pole)[dim - 1], 1, 1e-12);
 }
 
 /// Pieces of a cone r < a + b z: exact by Pappus's rule, whatever the tilt of its mantle.

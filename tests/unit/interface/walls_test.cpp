@@ -272,6 +272,34 @@ TYPED_TEST(Walls, ARigidWallStopsABody) {
   });
 }
 
+/// A rigid slab of 1.3 cells, askew to the mesh, bears what a half-space bears.
+TYPED_TEST(Walls, AThinRigidBodyStopsABody) {
+  constexpr int dim = TestFixture::dim;
+  const double speed = 50;
+  const auto area = [&](double cells) {
+    const Distance<dim> slab = [=, this](const Vec<dim>& x) {
+      const double depth = dot(x - this->middle, this->normal);
+      return std::max(-depth, depth - cells * this->grid.dx);
+    };
+    Prepared<dim> p(this->grid, {half_space(this->middle, this->normal), slab},
+                    {moving<dim>(this->material, speed * this->normal), moving<dim>(this->material, {})});
+    p.state.bodies[1].rigid.emplace().distance = slab;
+    p.prepare();
+    find_all(p, this->dt);
+    double sum = 0;
+    p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>& cut, const Index<dim>& i) {
+      if (this->inside(i) && w.partners != 0) sum += norm(cut.surface);
+      if (this->inside(i) && w.partners != 0) {
+        ASSERT_NEAR(w.traction / (-speed * this->z), 1, 1e-3);
+      }
+    });
+    return sum;
+  };
+  const double whole = area(100);
+  EXPECT_GT(whole, 0);
+  EXPECT_NEAR(area(1.3), whole, 0.01 * whole);
+}
+
 /// The ledger books what the bodies give each other, from the lower-numbered one's side.
 TYPED_TEST(Walls, TheLedgerAgreesWithTheWalls) {
   constexpr int dim = TestFixture::dim;

@@ -174,6 +174,25 @@ TYPED_TEST(Following, TheWallsVelocityIsSpreadOverTheBand) {
   }
 }
 
+/// A level set that has swallowed a rigid ball gives it back, but for a tenth of a cell.
+TYPED_TEST(Following, RigidBodiesAreCutOut) {
+  constexpr int dim = TestFixture::dim;
+  const auto middle = middle_of(this->grid);
+  const double dx = this->grid.dx;
+  const auto inner = ball(middle, 3.3 * dx), outer = ball(middle, 7.1 * dx);
+  auto state = make_test_state<dim>(this->grid, {outer, inner});
+  state.bodies[1].rigid.emplace().distance = inner;
+  for (int s = 0; s < state.mesh.local(); ++s) {
+    state.bodies[0].at(s).near_surface = true;
+    cut_out_rigid(state, state.bodies[0], s);
+  }
+  for_each_piece(state, 0, [&](BodyBlock<dim>& b, const Index<dim>& i, std::size_t k) {
+    const auto x = this->grid.centre(i);
+    const double far = far_cells * dx;
+    ASSERT_NEAR(b.phi[k], std::clamp(std::max(outer(x), -inner(x) - 0.1 * dx), -far, far), 1e-12);
+  });
+}
+
 TYPED_TEST(Following, RigidBodiesAreWhereTheirMotionPutsThem) {
   constexpr int dim = TestFixture::dim;
   auto& state = this->state;

@@ -122,6 +122,11 @@ TEST(SignedDistance, BodiesAtTheEdgeOfTheDomainContinue) {
   polygon.kind = Shape::Kind::polygon;
   polygon.vertices = {{-9, -9}, {0, -9}, {0, 9}, {-9, 9}};
   EXPECT_NEAR(at<2>(polygon, plane, {{-4, 8.9}}), -4, 1e-14);
+  // On the edge and beyond it as well.
+  EXPECT_NEAR(at<2>(polygon, plane, {{-4, 9}}), -4, 1e-14);
+  EXPECT_NEAR(at<2>(polygon, plane, {{-9, -9}}), -9, 1e-14);
+  EXPECT_LT(at<2>(polygon, plane, {{-9.1, -9.1}}), -9);
+  EXPECT_NEAR(at<2>(polygon, plane, {{2, 9}}), 2, 1e-14);
   const auto within = box_shape(vector_of(-8, -8), vector_of(0, 9));
   EXPECT_DOUBLE_EQ(at<2>(within, plane, {{-4, -7.5}}), -0.5);
 }
