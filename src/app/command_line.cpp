@@ -127,6 +127,7 @@ struct Commands {
     c->add_option("case", verify.cases,
                   "names of shipped cases, or cases of your own; without it all shipped ones")
         ->type_name("CASE...");
+    add_set(*c, verify.overrides);
     c->add_flag("--quick", verify.quick, "only the cheapest cases: some minutes");
     c->add_flag("--list", verify.list, "name the cases, with the time that they take, and leave");
     c->add_option("-j,--jobs", verify.jobs, "runs at a time; without it one for each processor")

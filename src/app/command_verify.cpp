@@ -51,8 +51,8 @@ std::vector<std::string> shipped_names() {
 }
 
 /// All mistakes before the first run.
-Work work_of(const std::string& word) {
-  LoadedCase loaded = load_case(word, {});
+Work work_of(const std::string& word, const std::vector<std::string>& overrides = {}) {
+  LoadedCase loaded = load_case(word, overrides);
   if (!loaded.found.has_errors()) check_logic(loaded);
   loaded.found.throw_if_errors();
   const fs::path file = find_case_file(word);
@@ -83,7 +83,8 @@ std::vector<Work> choose(const VerifyOptions& o) {
     throw InputError(
         "--quick chooses the cases itself\n   = help: leave out --quick, or the names of the cases");
   std::vector<Work> all;
-  for (const std::string& word : o.cases.empty() ? shipped_names() : o.cases) all.push_back(work_of(word));
+  for (const std::string& word : o.cases.empty() ? shipped_names() : o.cases)
+    all.push_back(work_of(word, o.overrides));
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (all[i].name == all[j].name)
@@ -101,11 +102,15 @@ bool is_done(const fs::path& folder, const Work& w) {
   return file && text.str() == w.resolved && read_verified(folder).problem.empty();
 }
 
-VerifiedCase run_one(const Work& w, const fs::path& folder, bool reuse) {
+VerifiedCase run_one(const Work& w, const fs::path& folder, const VerifyOptions& o) {
   const fs::path run = folder / w.name, log = folder / (w.name + ".log");
   int code = exit_finished;
-  if (!reuse || !is_done(run, w))
-    code = run_child({"run", w.file.string(), "-o", run.string(), "--force", "--plain", "-j", "1"}, log);
+  if (!o.reuse || !is_done(run, w)) {
+    std::vector<std::string> words{"run",     w.file.string(), "-o", run.string(),
+                                   "--force", "--plain",       "-j", "1"};
+    for (const std::string& set : o.overrides) words.insert(words.end(), {"--set", set});
+    code = run_child(words, log);
+  }
   const bool done = code == exit_finished || code == exit_expectation_failed;
   VerifiedCase c = done ? read_verified(run) : VerifiedCase{};
   if (!done)
@@ -132,7 +137,7 @@ std::vector<VerifiedCase> run_all(const std::vector<Work>& work, const fs::path&
       VerifiedCase c;
       const Work& w = work[order[k]];
       try {
-        c = run_one(w, folder, o.reuse);
+        c = run_one(w, folder, o);
       } catch (const std::exception& e) {
         c.name = w.name, c.title = w.title, c.problem = e.what(), c.exit_code = exit_environment;
       }
@@ -141,7 +146,8 @@ std::vector<VerifiedCase> run_all(const std::vector<Work>& work, const fs::path&
                                   : c.failures() == 0
                                       ? fmt::format("all {} met", c.values.size())
                                       : fmt::format("{} of {} FAILED", c.failures(), c.values.size());
-      fmt::print("[{}/{}] {}: {}, {:.3g} s\n", ++finished, work.size(), c.name, verdict, c.wall_s);
+      fmt::print("[{}/{}] {}: {}, {:.3g} s of processor time\n", ++finished, work.size(), c.name, verdict,
+                 c.cpu_s);
       std::fflush(stdout);
       results[order[k]] = std::move(c);
     }
@@ -178,7 +184,7 @@ int verify(const VerifyOptions& o) {
   if (error)
     throw EnvironmentError(fmt::format("the folder {} cannot be made: {}", folder.string(), error.message()));
   const std::vector<VerifiedCase> results = run_all(work, folder, o);
-  const std::string text = verify_markdown(results);
+  const std::string text = verify_markdown(results, o.overrides);
   write_atomically(folder / "verify.md", text);
   write_atomically(folder / "verify.csv", verify_csv(results));
   write_atomically(folder / "verify.json", verify_json(results));

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <ctime>
 
 #include "app/command_line.hpp"
 #include "app/estimate.hpp"
@@ -81,6 +83,13 @@ void march(const config::Case& c, const Scheme<Dim>& scheme, State<Dim>& state, 
 
 }  // namespace
 
+/// Processor time of all processes and threads since a reading of the clock.
+double processor_seconds(const parallel::World& world, std::clock_t since) {
+  std::array ticks{static_cast<std::int64_t>(std::clock() - since)};
+  world.sum(ticks);
+  return static_cast<double>(ticks[0]) / CLOCKS_PER_SEC;
+}
+
 template <int Dim>
 int simulate(const LoadedCase& loaded, const SimulationOptions& options, const parallel::World& world) {
   const config::Case& c = loaded.contents;
@@ -97,6 +106,7 @@ int simulate(const LoadedCase& loaded, const SimulationOptions& options, const p
   recorder.begin(state);
 
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t worked = std::clock();
   const auto wall = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
@@ -111,6 +121,7 @@ int simulate(const LoadedCase& loaded, const SimulationOptions& options, const p
   RunFacts facts;
   facts.version = fmt::format("{} ({})", build_info::version, build_info::describe);
   facts.wall_s = wall();
+  facts.cpu_s = processor_seconds(world, worked);
   const Summary summary = recorder.finish(state, facts);
   tell_news(reporter, recorder.take_news());
   if (options.verbose) tell_timers(reporter, engine.timers, facts.wall_s);

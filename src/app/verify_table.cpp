@@ -91,9 +91,9 @@ std::string escaped(std::string s) {
 std::string section(const VerifiedCase& c) {
   std::string out = fmt::format("\n## {}\n\n{}\n\n", c.name, c.title);
   if (!c.problem.empty()) return out + fmt::format("**FAIL**: {}\n", c.problem);
-  out += fmt::format("{} of {} met; {} cells with matter, {} steps, {:.3g} s.\n\n",
+  out += fmt::format("{} of {} met; {} cells with matter, {} steps, {:.3g} s of processor time.\n\n",
                      static_cast<long>(c.values.size()) - c.failures(), c.values.size(), c.cells, c.steps,
-                     c.wall_s);
+                     c.cpu_s);
   out +=
       "| quantity | reference | source | ours | error | tolerance | verdict "
       "|\n|---|---|---|---|---|---|---|\n";
@@ -130,7 +130,7 @@ VerifiedCase read_verified(const std::filesystem::path& run) {
   }
   c.version = text(all, "version");
   c.exit_code = all.value("exit", 0);
-  c.wall_s = number(all, "wall_s");
+  c.cpu_s = number(all, "cpu_s");
   c.steps = all.value("steps", 0L);
   c.cells = all.value("cells", 0L);
   for (const auto& [quantity, j] : all["expect"].items()) c.values.push_back(value_of(quantity, j));
@@ -150,7 +150,8 @@ VerifyCount count(const std::vector<VerifiedCase>& cases) {
   return n;
 }
 
-std::string verify_markdown(const std::vector<VerifiedCase>& cases) {
+std::string verify_markdown(const std::vector<VerifiedCase>& cases,
+                            const std::vector<std::string>& overrides) {
   const VerifyCount n = count(cases);
   std::string out =
       "# Validation\n\nWritten by `recoil verify`: each case below is run and compared with its "
@@ -165,10 +166,14 @@ std::string verify_markdown(const std::vector<VerifiedCase>& cases) {
   for (const VerifiedCase& c : cases)
     if (!c.version.empty()) versions.insert(c.version);
   for (const std::string& v : versions) out += fmt::format("Computed with recoil {}.\n", v);
-  out += "\n| case | checks | met | time |\n|---|---|---|---|\n";
+  for (const std::string& o : overrides) out += fmt::format("In every case: `--set {}`.\n", o);
+  double together = 0;
+  for (const VerifiedCase& c : cases) together += std::isfinite(c.cpu_s) ? c.cpu_s : 0;
+  out += fmt::format("Together {:.3g} min of processor time.\n", together / 60);
+  out += "\n| case | checks | met | processor time |\n|---|---|---|---|\n";
   for (const VerifiedCase& c : cases)
     out += fmt::format("| {} | {} | {} | {:.3g} s |\n", c.name, c.values.size(),
-                       c.failures() == 0 ? "all" : fmt::format("**{} failed**", c.failures()), c.wall_s);
+                       c.failures() == 0 ? "all" : fmt::format("**{} failed**", c.failures()), c.cpu_s);
   for (const VerifiedCase& c : cases) out += section(c);
   return out;
 }
@@ -190,7 +195,7 @@ std::string verify_json(const std::vector<VerifiedCase>& cases) {
   all["results"] = Json::object();
   for (const VerifiedCase& c : cases) {
     Json one{{"title", c.title},        {"version", c.version},
-             {"exit", c.exit_code},     {"wall_s", json_number(c.wall_s)},
+             {"exit", c.exit_code},     {"cpu_s", json_number(c.cpu_s)},
              {"steps", c.steps},        {"cells", c.cells},
              {"failures", c.failures()}};
     if (!c.problem.empty()) one["problem"] = c.problem;

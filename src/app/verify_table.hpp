@@ -20,7 +20,7 @@ struct VerifiedCase {
   std::string name, title, version;
   std::string problem;  // why there are no values; empty: there are
   int exit_code = 0;
-  double wall_s = 0;
+  double cpu_s = 0;  // processor time
   long steps = 0, cells = 0;
   std::vector<VerifiedValue> values;
 
@@ -38,7 +38,9 @@ struct VerifyCount {
 VerifyCount count(const std::vector<VerifiedCase>& cases);
 
 /// The table for people: one section a case.
-std::string verify_markdown(const std::vector<VerifiedCase>& cases);
+/// @param overrides what was set in every case, as PATH=VALUE.
+std::string verify_markdown(const std::vector<VerifiedCase>& cases,
+                            const std::vector<std::string>& overrides = {});
 /// One line a value.
 std::string verify_csv(const std::vector<VerifiedCase>& cases);
 std::string verify_json(const std::vector<VerifiedCase>& cases);

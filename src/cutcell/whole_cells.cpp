@@ -45,16 +45,22 @@ void fill_from_ghost(const Material& material, BodyBlock<Dim>& b, std::size_t k,
   b.volume[k] = volume;
 }
 
+/// Calls f(place in the block, volume of the whole cell) for every cell of a block.
+template <int Dim, class F>
+void for_each_place(const State<Dim>& state, int slot, F&& f) {
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  for_each(cells, [&](const Index<Dim>& i) {
+    f(static_cast<std::size_t>(layout.at(i - cells.lo)), state.grid().full_volume(i));
+  });
+}
+
 }  // namespace
 
 template <int Dim>
 void take_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
   if (!b.near_surface) return;
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
-  for_each(cells, [&](const Index<Dim>& i) {
-    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-    const double full = state.grid().full_volume(i);
+  for_each_place(state, slot, [&](std::size_t k, double full) {
     if (!(b.phi[k] < 0)) return empty(b, k);
     if (!(b.volume[k] > 0)) {
       ++counters.cuts_without_donor;
@@ -75,10 +81,7 @@ template <int Dim>
 void show_pieces(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
   if (!b.near_surface) return;
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
-  for_each(cells, [&](const Index<Dim>& i) {
-    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-    const double full = state.grid().full_volume(i);
+  for_each_place(state, slot, [&](std::size_t k, double full) {
     const CellKind kind = b.settled.kind[k];
     double part = kind == CellKind::full ? full : 0;
     if (kind == CellKind::cut) part = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])].volume;

@@ -32,9 +32,11 @@ void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double 
     w.role = scratch.take<std::uint8_t>(w.wide);
     w.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; },
                     std::uint8_t{0}, Beyond::extend, w.role);
-    for (std::size_t k = 0; k < w.wide; ++k) {
-      if ((w.role[k] & valued) != 0) continue;
-      for (std::size_t c = 0; c < count; ++c) w.primitive[c * w.wide + k] = c == C::rho ? eos.rho0 : 0.0;
+    for (std::size_t c = 0; c < count; ++c) {
+      const double missing = c == C::rho ? eos.rho0 : 0.0;
+      double* value = w.primitive + c * w.wide;
+#pragma omp simd
+      for (std::size_t k = 0; k < w.wide; ++k) value[k] = (w.role[k] & valued) != 0 ? value[k] : missing;
     }
   }
   w.impedance = scratch.take<double>(w.wide);
@@ -254,37 +256,75 @@ void borrow_wall_values(const BodyBlock<Dim>& b, Work<Dim>& w) {
   }
 }
 
-/// Hoop terms of one cell (theory: axisymmetry): the divergence keeps the raw r-weighted sums, both r-columns
-/// of the gradient lose the part that is due to the widening of the cell.
+/// Takes the widening of a cell off both r-columns of the gradient and the hoop stress off the radial force
+/// (theory: axisymmetry); the divergence keeps the raw r-weighted sums. `plane`: area of the piece in the
+/// (r, z) plane.
 template <int Dim>
-void axisymmetric_cell(const BodyBlock<Dim>& b, Work<Dim>& w, const Index<Dim>& i) {
+[[gnu::always_inline]] inline void take_off_widening(const double* value, std::size_t wide, double ur,
+                                                     double uz, double plane, double* gradient, double* rate,
+                                                     std::size_t n) {
   using C = Components<Dim>;
-  const auto k = static_cast<std::size_t>(w.cells.at(i)), cell = static_cast<std::size_t>(w.window.cell(i));
-  const bool real = !w.role || (w.role[w.window.at(i)] & regular) != 0;
-  const CellKind kind = w.whole ? (real ? CellKind::full : CellKind::empty) : b.geometry.kind[cell];
-  if (kind == CellKind::empty) return;
+  gradient[0] -= ur * plane;
+  gradient[Dim * n] -= uz * plane;
+  const double hoop = -value[C::p * wide] - value[C::s * wide] - value[(C::s + 1) * wide];
+  rate[C::u * n] -= hoop * plane;
+}
+
+/// A cut cell reads the velocity from its wall where its r-faces are not open.
+template <int Dim>
+void axisymmetric_cut(const Wall<Dim>& wall, const CutCell<Dim>& cut, Work<Dim>& w) {
+  using C = Components<Dim>;
+  const Index<Dim> i = w.window.index_of(cut.cell);
+  const auto k = static_cast<std::size_t>(w.cells.at(i));
   const double* value = w.primitive + w.window.at(i);
   const double dx = w.grid.dx;
-  double plane = dx * dx, ur = value[C::u * w.wide], uz = value[(C::u + 1) * w.wide];
-  const auto at = static_cast<std::size_t>(kind == CellKind::cut ? b.geometry.index[cell] : 0);
-  const CutCell<Dim>* cut = kind == CellKind::cut ? &b.geometry.cuts[at] : nullptr;
-  if (cut) plane = cut->plane_area;
+  double ur = value[C::u * w.wide], uz = value[(C::u + 1) * w.wide];
   const auto wide_open = [&](int side) {
-    return cut->open[0][static_cast<std::size_t>(side)] > 0.3 * w.grid.face_radius(i[0] + side) * dx;
+    return cut.open[0][static_cast<std::size_t>(side)] > 0.3 * w.grid.face_radius(i[0] + side) * dx;
   };
-  if (!cut || ((i[0] == 0 || wide_open(0)) && wide_open(1))) {
+  if ((i[0] == 0 || wide_open(0)) && wide_open(1)) {
     ur = w.radial[k];
-    if (i[0] > 0) uz = w.radial[w.n + k];
-  } else if (b.walls[at].donors > 0) {
-    const Wall<Dim>& wall = b.walls[at];
-    const Vec<Dim> r = (w.grid.centre(i) - cut->point) * (1 / dx) + cut->centroid;
+    uz = w.radial[w.n + k];
+  } else if (wall.donors > 0) {
+    const Vec<Dim> r = (w.grid.centre(i) - cut.point) * (1 / dx) + cut.centroid;
     ur = wall.value[C::u] + dot(wall.gradient[C::u], r);
     uz = wall.value[C::u + 1] + dot(wall.gradient[C::u + 1], r);
   }
-  w.gradient[k] -= ur * plane;
-  w.gradient[Dim * w.n + k] -= uz * plane;
-  const double hoop = -value[C::p * w.wide] - value[C::s * w.wide] - value[(C::s + 1) * w.wide];
-  w.rate[C::u * w.n + k] -= hoop * plane;
+  take_off_widening<Dim>(value, w.wide, ur, uz, cut.plane_area, w.gradient + k, w.rate + k, w.n);
+}
+
+/// Hoop terms of a block: whole cells row by row, then the cut ones.
+template <int Dim>
+void axisymmetric_sources(const BodyBlock<Dim>& b, Work<Dim>& w) {
+  using C = Components<Dim>;
+  Box<Dim> rows = w.cells;
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = w.cells.extent(0);
+  const double area = w.grid.dx * w.grid.dx;
+  std::array<double, longest_row> plane;
+  for_each(rows, [&](const Index<Dim>& r) {
+    for (int from = 0; from < width; from += longest_row) {
+      const int count = std::min(width - from, longest_row);
+      const int at = w.window.at(r) + from;
+      const auto k = static_cast<std::size_t>(w.cells.at(r) + from);
+      const auto cell = static_cast<std::size_t>(w.window.cell(r) + from);
+      const double* value = w.primitive + at;
+      double *ur = w.radial + k, *uz = w.radial + w.n + k;
+      if (r[0] + from == 0) *uz = value[(C::u + 1) * w.wide];  // the axis is no face to take a mean with
+      for (int i = 0; i < count; ++i) {
+        const bool full = w.whole ? !w.role || (w.role[at + i] & regular) != 0
+                                  : b.geometry.kind[cell + static_cast<std::size_t>(i)] == CellKind::full;
+        plane[static_cast<std::size_t>(i)] = full ? area : 0;
+      }
+#pragma omp simd
+      for (int i = 0; i < count; ++i)
+        take_off_widening<Dim>(value + i, w.wide, ur[i], uz[i], plane[static_cast<std::size_t>(i)],
+                               w.gradient + k + i, w.rate + k + i, w.n);
+    }
+  });
+  if (w.whole) return;
+  for (std::size_t m = 0; m < b.geometry.cuts.size(); ++m)
+    axisymmetric_cut(b.walls[m], b.geometry.cuts[m], w);
 }
 
 /// 2 G dev D + W S - S W of one cell, integrated over the piece. L[(i * Dim + j) * n]: integral of du_i/dx_j.
@@ -321,7 +361,7 @@ void add_sources(const BodyBlock<Dim>& b, double g, Work<Dim>& w, Scratch& scrat
   for (std::size_t d = 0; d < Dim; ++d)
     for (std::size_t k = 0; k < w.n; ++k) trace[k] += w.gradient[(d * Dim + d) * w.n + k];
   if constexpr (Dim == 2)
-    if (w.grid.axisymmetric) for_each(w.cells, [&](const Index<Dim>& i) { axisymmetric_cell(b, w, i); });
+    if (w.grid.axisymmetric) axisymmetric_sources(b, w);
   if (!(g > 0)) return;
   Box<Dim> rows = w.cells;
   rows.hi[0] = rows.lo[0] + 1;

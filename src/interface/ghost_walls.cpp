@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/touch.hpp"
-#include "interface/opposite.hpp"
-#include "interface/walls.hpp"
+#include "interface/each_ghost_wall.hpp"
 
 namespace recoil {
 
@@ -31,58 +29,28 @@ void stop_at(const SurfaceView<Dim>& v, const Opposite<Dim>& o, double dt, Vec<D
 template <int Dim>
 bool try_touch(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
                const Index<Dim>& i, double dt, double booked, Wall<Dim>& w) {
-  const Body<Dim>& other = v.body(o.body);
-  const Vec<Dim> e = contact_normal(v, o, w.normal);
-  const bool was = v.was_in_contact(m, o.body, i) || v.was_in_contact(o.body, m, i);
-  const double gap_speed = was && o.gap < settled_gap * v.dx() ? 0 : std::max(o.gap, 0.0) / dt;
-  const auto s = surface_state(v.body(m).material, w.value, e);
-  const ContactSide mine{s.velocity, s.stress, s.impedance};
-  Touch t;
-  if (other.rigid) {
-    t = touch_rigid(mine, dot(other.rigid->velocity, e), gap_speed);
-  } else {
-    const auto r = surface_state(other.material, o.value, e);
-    t = touch(mine, {r.velocity, r.stress, r.impedance}, gap_speed);
-  }
-  if (!t.touching) return false;
-  w.traction = t.traction;
-  w.velocity = w.face_velocity = t.first_velocity * e + s.sliding - shear_recoil(s);
-  w.partners = 1U << o.body;
-  record_contact(v, m, o, cut, e, t.traction, t.work_velocity, booked);
-  return true;
-}
-
-template <int Dim>
-void find_wall(const SurfaceView<Dim>& v, int m, const CutCell<Dim>& cut, double dt, double booked,
-               Wall<Dim>& w) {
-  const Index<Dim> i = v.state.mesh.block(v.slot).cells.lo + v.state.grid().layout().index(cut.cell);
-  w.normal = v.normal(m, i);
-  w.partners = 0;
-  w.traction = 0;
-  const Opposite<Dim> o = w.donors > 0 ? find_opposite(v, m, cut.point, i) : Opposite<Dim>{};
-  const bool faces = o.faces(w.normal);
-  if (faces && try_touch(v, m, o, cut, i, dt, booked, w)) return;
-  const auto s = surface_state(v.body(m).material, w.value, w.normal);
-  w.velocity = free_velocity(s.velocity, s.stress, s.impedance) * w.normal + s.sliding - shear_recoil(s);
-  if (o.body >= 0 && !faces && o.gap < corner_gap * v.dx()) stop_at(v, o, dt, w.velocity);
-  w.face_velocity = w.velocity;
+  const GhostContact<Dim> c(v, m, o, i, w);
+  const double gap_speed = c.was && o.gap < settled_gap * v.dx() ? 0 : std::max(o.gap, 0.0) / dt;
+  const Touch t =
+      c.rigid ? touch_rigid(c.mine, c.theirs.velocity, gap_speed) : touch(c.mine, c.theirs, gap_speed);
+  if (t.touching) c.apply(v, m, o, cut, t, booked, w);
+  return t.touching;
 }
 
 }  // namespace
 
 template <int Dim>
 void find_ghost_walls(State<Dim>& state, int slot, double dt, double share, Scratch& scratch) {
-  if (share > 0) clear_records(state, slot);
-  const SurfaceView<Dim> v = view_surfaces(state, slot, PhiAt::midstep, scratch);
-  for (int m = 0; m < state.count(); ++m) {
-    Body<Dim>& body = state.bodies[static_cast<std::size_t>(m)];
-    if (body.rigid || !body.present(slot)) continue;
-    BodyBlock<Dim>& b = body.at(slot);
-    for (std::size_t k = 0; k < b.walls.size(); ++k) {
-      find_wall(v, m, b.geometry.cuts[k], dt, share * dt, b.walls[k]);
-      b.walls[k].mean_velocity += share * b.walls[k].velocity;
-    }
-  }
+  for_each_ghost_wall(state, slot, share, scratch,
+                      [&](const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
+                          const Index<Dim>& i, Wall<Dim>& w) {
+                        const bool faces = o.faces(w.normal);
+                        if (faces && try_touch(v, m, o, cut, i, dt, share * dt, w)) return;
+                        release(v.body(m).material, w);
+                        if (o.body < 0 || faces || o.gap >= corner_gap * v.dx()) return;
+                        stop_at(v, o, dt, w.velocity);
+                        w.face_velocity = w.velocity;
+                      });
 }
 
 template <int Dim>

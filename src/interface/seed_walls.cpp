@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "contact/seed_contact.hpp"
-#include "interface/opposite.hpp"
-#include "interface/walls.hpp"
+#include "interface/each_ghost_wall.hpp"
 
 namespace recoil {
 
@@ -110,58 +109,25 @@ bool colliding_traction(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o
 template <int Dim>
 bool try_join(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
               const Index<Dim>& i, double kappa, double booked, Wall<Dim>& w) {
-  const Body<Dim>& other = v.body(o.body);
-  const Vec<Dim> e = contact_normal(v, o, w.normal);
+  const GhostContact<Dim> c(v, m, o, i, w);
   double traction = 0;
-  if (!colliding_traction(v, m, o, cut.point, i, kappa, e, traction)) return false;
-  const auto s = surface_state(v.body(m).material, w.value, e);
-  const ContactSide mine{s.velocity, s.stress, s.impedance};
-  ContactSide theirs;
-  if (other.rigid) {
-    theirs.velocity = dot(other.rigid->velocity, e);
-  } else {
-    const auto r = surface_state(other.material, o.value, e);
-    theirs = {r.velocity, r.stress, r.impedance};
-  }
-  const bool was = v.was_in_contact(m, o.body, i) || v.was_in_contact(o.body, m, i);
-  if (!presses(traction, mine.velocity - theirs.velocity, was)) return false;
-  const Touch t = other.rigid ? join_rigid(mine, theirs.velocity) : join(mine, theirs);
-  w.traction = t.traction;
-  w.velocity = w.face_velocity = t.first_velocity * e + s.sliding - shear_recoil(s);
-  w.partners = 1U << o.body;
-  record_contact(v, m, o, cut, e, t.traction, t.work_velocity, booked);
+  if (!colliding_traction(v, m, o, cut.point, i, kappa, c.direction, traction)) return false;
+  if (!presses(traction, c.mine.velocity - c.theirs.velocity, c.was)) return false;
+  const Touch t = c.rigid ? join_rigid(c.mine, c.theirs.velocity) : join(c.mine, c.theirs);
+  c.apply(v, m, o, cut, t, booked, w);
   return true;
-}
-
-template <int Dim>
-void find_wall(const SurfaceView<Dim>& v, int m, const CutCell<Dim>& cut, double kappa, double booked,
-               Wall<Dim>& w) {
-  const Index<Dim> i = v.state.mesh.block(v.slot).cells.lo + v.state.grid().layout().index(cut.cell);
-  w.normal = v.normal(m, i);
-  w.partners = 0;
-  w.traction = 0;
-  const Opposite<Dim> o = w.donors > 0 ? find_opposite(v, m, cut.point, i) : Opposite<Dim>{};
-  if (o.faces(w.normal) && try_join(v, m, o, cut, i, kappa, booked, w)) return;
-  const auto s = surface_state(v.body(m).material, w.value, w.normal);
-  w.velocity = w.face_velocity =
-      free_velocity(s.velocity, s.stress, s.impedance) * w.normal + s.sliding - shear_recoil(s);
 }
 
 }  // namespace
 
 template <int Dim>
 void find_seed_walls(State<Dim>& state, int slot, double kappa, double dt, double share, Scratch& scratch) {
-  if (share > 0) clear_records(state, slot);
-  const SurfaceView<Dim> v = view_surfaces(state, slot, PhiAt::midstep, scratch);
-  for (int m = 0; m < state.count(); ++m) {
-    Body<Dim>& body = state.bodies[static_cast<std::size_t>(m)];
-    if (body.rigid || !body.present(slot)) continue;
-    BodyBlock<Dim>& b = body.at(slot);
-    for (std::size_t k = 0; k < b.walls.size(); ++k) {
-      find_wall(v, m, b.geometry.cuts[k], kappa, share * dt, b.walls[k]);
-      b.walls[k].mean_velocity += share * b.walls[k].velocity;
-    }
-  }
+  for_each_ghost_wall(state, slot, share, scratch,
+                      [&](const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
+                          const Index<Dim>& i, Wall<Dim>& w) {
+                        if (!o.faces(w.normal) || !try_join(v, m, o, cut, i, kappa, share * dt, w))
+                          release(v.body(m).material, w);
+                      });
 }
 
 #define RECOIL_INSTANTIATE(Dim) \

@@ -40,31 +40,69 @@ double slope(const double* p, int st, double zero, double h, double& nearest) {
 }
 
 template <int Dim>
-double relaxed(const double* p0, const double* p, const std::array<int, Dim>& stride, double h) {
+using Strides = std::array<int, Dim>;
+
+/// One relaxation towards |grad phi| = 1. `square`: of the upwind gradient.
+[[gnu::always_inline]] inline double relaxed_by(double value, double square, double nearest) {
+  const double sign = value > 0 ? 1 : -1;
+  const double next = value - pseudo_step * nearest * sign * (std::sqrt(square) - 1);
+  return next * sign <= 0 ? 0.5 * value : next;
+}
+
+/// Square of the upwind one of two one-sided slopes, seen from a cell outside (sign > 0) or inside.
+[[gnu::always_inline]] inline double upwind_square(double sign, double low, double high) {
+  const double a = sign > 0 ? std::max(low, 0.0) : std::min(low, 0.0);
+  const double b = sign > 0 ? std::min(high, 0.0) : std::max(high, 0.0);
+  return std::max(a * a, b * b);
+}
+
+/// A cell beside the surface, which stays where p0 has it.
+template <int Dim>
+double relaxed_beside(const double* p0, const double* p, const Strides<Dim>& stride, double h) {
   const double sign = p0[0] > 0 ? 1 : -1;
   double square = 0, nearest = h;
-  for (int d = 0; d < Dim; ++d) {
-    const int st = stride[static_cast<std::size_t>(d)];
+  for (const int st : stride) {
     const double up = zero_towards(p0[-st], p0[0], p0[st], p0[2 * st], h);
     const double down = zero_towards(p0[st], p0[0], p0[-st], p0[-2 * st], h);
     const double high = slope(p, st, up, h, nearest), low = -slope(p, -st, down, h, nearest);
-    const double a = sign > 0 ? std::max(low, 0.0) : std::min(low, 0.0);
-    const double b = sign > 0 ? std::min(high, 0.0) : std::max(high, 0.0);
-    square += std::max(a * a, b * b);
+    square += upwind_square(sign, low, high);
   }
-  const double value = p[0] - pseudo_step * nearest * sign * (std::sqrt(square) - 1);
-  return value * sign <= 0 ? 0.5 * p[0] : value;
+  return relaxed_by(p[0], square, nearest);
 }
 
+/// A row of cells away from the surface: as relaxed_beside() where no neighbour has the other sign.
 template <int Dim>
-bool in_band(const double* p, const std::array<int, Dim>& stride, double h) {
-  if (std::abs(p[0]) < band_cells * h) return true;
-  const double inside = (band_cells - 0.9) * h;
-  for (int d = 0; d < Dim; ++d) {
-    const int st = stride[static_cast<std::size_t>(d)];
-    if (std::abs(p[st]) < inside || std::abs(p[-st]) < inside) return true;
+void relax_row(const double* p, const Strides<Dim>& stride, double h, int count, double* next) {
+  const double per_h = 1 / h, half_per_h = 0.5 * per_h;
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double* q = p + i;
+    const double sign = q[0] > 0 ? 1 : -1;
+    double square = 0;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const int st = stride[d];
+      const double here = q[st] - 2 * q[0] + q[-st], above = q[2 * st] - 2 * q[st] + q[0],
+                   below = q[0] - 2 * q[-st] + q[-2 * st];
+      const double high = (q[st] - q[0]) * per_h - half_per_h * minmod(here, above);
+      const double low = (q[0] - q[-st]) * per_h + half_per_h * minmod(here, below);
+      square += upwind_square(sign, low, high);
+    }
+    next[i] = relaxed_by(q[0], square, h);
   }
-  return false;
+}
+
+enum CellOfBand : std::uint8_t { kept, away, beside };
+
+template <int Dim>
+CellOfBand place_in_band(const double* p, const Strides<Dim>& stride, double frozen, double h) {
+  const double distance = std::abs(p[0]);
+  if (p[0] == 0 || distance < frozen) return kept;
+  bool other_sign = false, inside = distance < band_cells * h;
+  for (const int st : stride) {
+    other_sign = other_sign || p[0] * p[st] <= 0 || p[0] * p[-st] <= 0;
+    inside = inside || std::min(std::abs(p[st]), std::abs(p[-st])) < (band_cells - 0.9) * h;
+  }
+  return !inside ? kept : other_sign ? beside : away;
 }
 
 }  // namespace
@@ -91,18 +129,37 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
   const auto n = static_cast<std::size_t>(w.size());
   double* p0 = scratch.take<double>(n);
   w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far, Beyond::extend, p0);
+  Strides<Dim> stride{};
+  for (int d = 0; d < Dim; ++d) stride[static_cast<std::size_t>(d)] = w.stride(d);
+
+  // The cells that change, and the box that holds them.
+  auto* place = scratch.take<std::uint8_t>(n);
+  Box<Dim> band;
+  for_each(w.inner().grown(2 * (sweeps - 1)), [&](const Index<Dim>& i) {
+    const int k = w.at(i);
+    place[k] = place_in_band<Dim>(p0 + k, stride, frozen * h, h);
+    if (place[k] != kept) extend(band, i);
+  });
+
   double *p = scratch.take<double>(n), *next = scratch.take<double>(n);
   std::copy(p0, p0 + n, p);
-  std::copy(p0, p0 + n, next);
-  std::array<int, Dim> stride{};
-  for (int d = 0; d < Dim; ++d) stride[static_cast<std::size_t>(d)] = w.stride(d);
-  for (int sweep = 1; sweep <= sweeps; ++sweep) {
-    for_each(w.inner().grown(2 * (sweeps - sweep)), [&](const Index<Dim>& i) {
+  for (int sweep = 1; sweep <= sweeps && band.size() > 0; ++sweep) {
+    Box<Dim> rows = w.inner().grown(2 * (sweeps - sweep));
+    for (int d = 0; d < Dim; ++d) {
+      rows.lo[d] = std::max(rows.lo[d], band.lo[d]);
+      rows.hi[d] = std::max(rows.lo[d], std::min(rows.hi[d], band.hi[d]));
+    }
+    const int count = rows.extent(0);
+    rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+    for_each(rows, [&](const Index<Dim>& i) {
       const int k = w.at(i);
-      if (p0[k] == 0 || std::abs(p0[k]) < frozen * h || !in_band<Dim>(p0 + k, stride, h)) return;
-      next[k] = std::clamp(relaxed<Dim>(p0 + k, p + k, stride, h), -far, far);
+      relax_row<Dim>(p + k, stride, h, count, next + k);
+      for (int c = k; c < k + count; ++c) {
+        if (place[c] == beside) next[c] = relaxed_beside<Dim>(p0 + c, p + c, stride, h);
+        next[c] = place[c] == kept ? p[c] : std::clamp(next[c], -far, far);
+      }
     });
-    std::copy(next, next + n, p);
+    for_each(rows, [&](const Index<Dim>& i) { std::copy_n(next + w.at(i), count, p + w.at(i)); });
   }
   double* out = body.at(slot).phi_next.data();
   for_each(w.inner(), [&](const Index<Dim>& i) { out[w.cell(i)] = p[w.at(i)]; });

@@ -82,6 +82,77 @@ Box<Dim> around_cell(const Index<Dim>& centre, int reach, const Box<Dim>& window
 constexpr double allowed_overlap = 0.1;  // [dx] of a body and a rigid one; contacts stay below
 constexpr int surface_reach = 8;         // foot points lie up to 5 cells away, the walls asked there 3 more
 
+/// The cut cells that a window shows: of every cell of the window its place in a list, or -1, and for the
+/// list the cells.
+struct CutsInView {
+  int* place = nullptr;
+  int* cell = nullptr;
+  int count = 0;
+};
+
+template <int Dim, class IndexOf>
+CutsInView cuts_in_view(const Window<Dim>& w, const IndexOf& index_of, Scratch& scratch) {
+  const auto n = static_cast<std::size_t>(w.size());
+  CutsInView cuts{scratch.take<int>(n), scratch.take<int>(n)};
+  w.gather(index_of, -1, Beyond::mirror, cuts.place);
+  for (int k = 0; k < w.size(); ++k) {
+    if (cuts.place[k] < 0) continue;
+    cuts.cell[cuts.count] = k;
+    cuts.place[k] = cuts.count++;
+  }
+  return cuts;
+}
+
+/// Calls f(place in the list, cell) for the cut cells of a box.
+template <int Dim, class F>
+void for_each_cut(const CutsInView& cuts, const Box<Dim>& window, const Box<Dim>& box, F&& f) {
+  Box<Dim> rows = box;
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  const int width = box.extent(0);
+  for_each(rows, [&](Index<Dim> j) {
+    const int* place = cuts.place + window.at(j);
+    for (int c = 0; c < width; ++c, ++j[0])
+      if (place[c] >= 0) f(place[c], j);
+  });
+}
+
+/// What a cut cell says of its wall.
+template <int Dim>
+struct WallAt {
+  Vec<Dim> point, velocity;
+  double area = 0;  // in faces of a cell
+};
+
+template <int Dim>
+WallAt<Dim>* walls_in_view(const Grid<Dim>& grid, const Body<Dim>& body, const Window<Dim>& w,
+                           const CutsInView& cuts, Scratch& scratch) {
+  auto* walls = scratch.take<WallAt<Dim>>(static_cast<std::size_t>(cuts.count));
+  const double per_area = 1 / grid.dx_power(Dim - 1);
+  for (int m = 0; m < cuts.count; ++m) {
+    const Index<Dim> i = w.box().index(cuts.cell[m]);
+    const auto from = w.source(i);
+    const BodyBlock<Dim>& home = body.at(from.slot);
+    const auto at = static_cast<std::size_t>(home.geometry.index[static_cast<std::size_t>(from.cell)]);
+    const CutCell<Dim>& cut = home.geometry.cuts[at];
+    walls[m].point = w.appear(i, from, cut.point);
+    walls[m].area = norm(cut.surface) * per_area / grid.radius(i[0]);
+    walls[m].velocity = home.walls[at].mean_velocity;
+    for (int d = 0; d < Dim; ++d)
+      if ((from.flips >> d & 1U) != 0) walls[m].velocity[d] = -walls[m].velocity[d];
+  }
+  return walls;
+}
+
+constexpr int ring = 2;  // cells about a foot point whose mismatch counts
+using Bell = std::array<double, 2 * ring + 1>;
+
+/// exp(-(x + k)^2) for k = -2..2: exp(-x^2) exp(-2 x k) exp(-k^2).
+Bell bell_about(double x) {
+  constexpr double e1 = 0.36787944117144233, e4 = 0.018315638888734179;
+  const double middle = std::exp(-x * x), up = std::exp(-2 * x), down = 1 / up;
+  return {middle * down * down * e4, middle * down * e1, middle, middle * up * e1, middle * up * up * e4};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -91,15 +162,14 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
   std::fill(b.carrier.begin(), b.carrier.end(), 0.0);
   if (!b.near_surface || b.reach.size() == 0) return;
   const Grid<Dim>& grid = state.grid();
-  const double dx = grid.dx, per_area = 1 / grid.dx_power(Dim - 1);
+  const double dx = grid.dx, steepness = 2 / (dx * dx);
   const Window<Dim> w(state.mesh, slot, surface_reach, b.reach);
-  const auto n = static_cast<std::size_t>(w.size());
-  double* phi = scratch.take<double>(n);
-  int* index = scratch.take<int>(n);
+  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
   w.gather([&](int s) { return body.present(s) ? body.at(s).phi_next.data() : nullptr; }, far_cells * dx,
            Beyond::extend, phi);
-  w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1,
-           Beyond::mirror, index);
+  const CutsInView cuts = cuts_in_view(
+      w, [&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, scratch);
+  const WallAt<Dim>* walls = walls_in_view(grid, body, w, cuts, scratch);
   const auto cells = static_cast<std::size_t>(grid.layout().size());
   for_each(w.inner(), [&](const Index<Dim>& i) {
     if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
@@ -108,19 +178,13 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
     double weights = 0;
     Vec<Dim> u;
     for (int reach = 1; reach <= 3 && weights == 0; ++reach)
-      for_each(around_cell(grid.cell_of(foot.point), reach, w.box()), [&](const Index<Dim>& j) {
-        const int at = index[w.at(j)];
-        if (at < 0) return;
-        const auto from = w.source(j);
-        const auto& home = body.at(from.slot);
-        const CutCell<Dim>& cut = home.geometry.cuts[static_cast<std::size_t>(at)];
-        const Vec<Dim> r = w.appear(j, from, cut.point) - foot.point;
-        const double weight =
-            std::exp(-2 * dot(r, r) / (dx * dx)) * (norm(cut.surface) * per_area / grid.radius(j[0]) + 0.02);
-        const Vec<Dim>& wall = home.walls[static_cast<std::size_t>(at)].mean_velocity;
-        weights += weight;
-        for (int d = 0; d < Dim; ++d) u[d] += weight * ((from.flips >> d & 1U) != 0 ? -wall[d] : wall[d]);
-      });
+      for_each_cut(cuts, w.box(), around_cell(grid.cell_of(foot.point), reach, w.box()),
+                   [&](int m, const Index<Dim>&) {
+                     const Vec<Dim> r = walls[m].point - foot.point;
+                     const double weight = std::exp(-steepness * dot(r, r)) * (walls[m].area + 0.02);
+                     weights += weight;
+                     u += weight * walls[m].velocity;
+                   });
     if (weights > 0) {
       u *= 1 / weights;
     } else if ((b.role[k] & regular) != 0) {
@@ -179,23 +243,30 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
   const Grid<Dim>& grid = state.grid();
   const double dx = grid.dx;
   const Window<Dim> w(state.mesh, slot, surface_reach, b.reach);
-  const auto n = static_cast<std::size_t>(w.size());
-  double* phi = scratch.take<double>(n);
-  int* index = scratch.take<int>(n);
+  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
   w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * dx,
            Beyond::extend, phi);
-  w.gather([&](int s) { return body.present(s) ? body.at(s).settled.index.data() : nullptr; }, -1,
-           Beyond::mirror, index);
+  const CutsInView cuts = cuts_in_view(
+      w, [&](int s) { return body.present(s) ? body.at(s).settled.index.data() : nullptr; }, scratch);
+  double* mismatch = scratch.take<double>(static_cast<std::size_t>(cuts.count));
+  for (int m = 0; m < cuts.count; ++m) {
+    const auto from = w.source(w.box().index(cuts.cell[m]));
+    const Geometry<Dim>& g = body.at(from.slot).settled;
+    mismatch[m] = g.cuts[static_cast<std::size_t>(g.index[static_cast<std::size_t>(from.cell)])].mismatch;
+  }
   for_each(w.inner(), [&](const Index<Dim>& i) {
     if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
+    const Index<Dim> near = grid.cell_of(foot.point);
+    std::array<Bell, Dim> bell;
+    for (int d = 0; d < Dim; ++d)
+      bell[static_cast<std::size_t>(d)] = bell_about((grid.centre(near)[d] - foot.point[d]) / dx);
     double sum = 0, weights = 0;
-    for_each(around_cell(grid.cell_of(foot.point), 2, w.box()), [&](const Index<Dim>& j) {
-      const int at = index[w.at(j)];
-      if (at < 0) return;
-      const Vec<Dim> r = grid.centre(j) - foot.point;
-      const double weight = std::exp(-dot(r, r) / (dx * dx));
-      sum += weight * body.at(w.source(j).slot).settled.cuts[static_cast<std::size_t>(at)].mismatch;
+    for_each_cut(cuts, w.box(), around_cell(near, ring, w.box()), [&](int m, const Index<Dim>& j) {
+      double weight = 1;
+      for (int d = 0; d < Dim; ++d)
+        weight *= bell[static_cast<std::size_t>(d)][static_cast<std::size_t>(j[d] - near[d] + ring)];
+      sum += weight * mismatch[m];
       weights += weight;
     });
     if (weights > 1e-3) b.phi_next[static_cast<std::size_t>(w.cell(i))] -= rate * sum / weights;

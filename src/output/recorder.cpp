@@ -301,6 +301,7 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
   s.time = state.time;
   s.steps = state.step;
   s.wall_s = facts.wall_s;
+  s.cpu_s = facts.cpu_s;
   if (s.wall_s > 0)
     s.rate = static_cast<double>(s.cells) * static_cast<double>(s.steps) * stages / s.wall_s * 1e-6;
   if (p.first()) {

@@ -81,6 +81,7 @@ void write_summary(const std::filesystem::path& path, const Summary& s) {
   j["steps"] = s.steps;
   j["cells"] = s.cells;
   j["wall_s"] = number(s.wall_s);
+  j["cpu_s"] = number(s.cpu_s);
   j["rate_mcell_stage_per_s"] = number(s.rate);
   j["budgets"] = budgets_json(s.budgets);
   j["gauges"] = gauges_json(s.gauges);

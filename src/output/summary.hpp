@@ -18,6 +18,7 @@ struct RunFacts {
   std::string version;
   int exit = 0;                             ///< 5 is put in its place where an expectation fails
   double wall_s = 0;                        ///< of the time loop
+  double cpu_s = 0;                         ///< of all processes and threads, in the time loop
   std::vector<config::Expectation> expect;  ///< beyond those of the case, of expected.toml
 };
 
@@ -36,9 +37,9 @@ struct Summary {
   bool passed = true;  ///< every expectation
   double time = 0;     ///< s
   long steps = 0;
-  std::int64_t cells = 0;       ///< with matter, at the end
-  double wall_s = 0, rate = 0;  ///< s; million cell stages per second
-  std::vector<Drift> budgets;   ///< of `total`, then of every deformable body
+  std::int64_t cells = 0;                  ///< with matter, at the end
+  double wall_s = 0, cpu_s = 0, rate = 0;  ///< s, s; million cell stages per second
+  std::vector<Drift> budgets;              ///< of `total`, then of every deformable body
   std::vector<GaugeSummary> gauges;
   std::vector<Event> events;
   std::vector<std::pair<std::string, std::int64_t>> floors;

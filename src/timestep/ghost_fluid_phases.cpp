@@ -17,6 +17,18 @@ void Phases<Dim>::take_whole_cells() {
 }
 
 template <int Dim>
+double Phases<Dim>::prepare_whole_cells(const Stepping& stepping, double until) {
+  take_whole_cells();
+  average_states();
+  const double dt = choose_length(stepping, until);
+  keep_old();
+  carry_surfaces_half(dt);
+  find_surfaces();
+  choose_donors_and_ghosts(Cells::whole);
+  return dt;
+}
+
+template <int Dim>
 void Phases<Dim>::find_surfaces() {
   for_each_slot(StepPart::geometry, [&](int slot, Scratch& scratch) {
     find_geometry(state_, slot, Surfaces::own, PhiAt::midstep, scratch);
@@ -26,30 +38,29 @@ void Phases<Dim>::find_surfaces() {
   share(part_geometry);
 }
 
+/// Walls by `find(slot, scratch)`, then the values beyond them.
 template <int Dim>
-void Phases<Dim>::find_ghosts(double dt, double part) {
+template <class Find>
+void Phases<Dim>::find_ghosts_by(Find&& find) {
   share(part_average);
   for_each_body(StepPart::walls,
                 [&](Body<Dim>& body, int slot, Scratch&) { evaluate_fits(state_, body, slot); });
   share(part_geometry);
-  for_each_slot(StepPart::walls,
-                [&](int slot, Scratch& scratch) { find_ghost_walls(state_, slot, dt, part, scratch); });
+  for_each_slot(StepPart::walls, find);
   share(part_geometry);
   fill_values();
   share(part_average);
 }
 
 template <int Dim>
+void Phases<Dim>::find_ghosts(double dt, double part) {
+  find_ghosts_by([&](int slot, Scratch& scratch) { find_ghost_walls(state_, slot, dt, part, scratch); });
+}
+
+template <int Dim>
 void Phases<Dim>::find_seed_ghosts(double kappa, double dt, double part) {
-  share(part_average);
-  for_each_body(StepPart::walls,
-                [&](Body<Dim>& body, int slot, Scratch&) { evaluate_fits(state_, body, slot); });
-  share(part_geometry);
-  for_each_slot(StepPart::walls,
-                [&](int slot, Scratch& scratch) { find_seed_walls(state_, slot, kappa, dt, part, scratch); });
-  share(part_geometry);
-  fill_values();
-  share(part_average);
+  find_ghosts_by(
+      [&](int slot, Scratch& scratch) { find_seed_walls(state_, slot, kappa, dt, part, scratch); });
 }
 
 template <int Dim>
@@ -116,8 +127,7 @@ void Phases<Dim>::show_pieces() {
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                             \
-  template void Phases<Dim>::take_whole_cells();                                            \
-  template void Phases<Dim>::find_surfaces();                                               \
+  template double Phases<Dim>::prepare_whole_cells(const Stepping&, double);                \
   template void Phases<Dim>::find_ghosts(double, double);                                   \
   template void Phases<Dim>::find_seed_ghosts(double, double, double);                      \
   template void Phases<Dim>::update_classic(FaceScheme, const ClassicStage&, bool, double); \

@@ -14,15 +14,7 @@ template <int Dim>
 double advance_ghost_fluid(State<Dim>& state, const Stepping& stepping, double until, Engine& engine) {
   Phases<Dim> step{state, engine};
 
-  // The start of the step: real cells, the stable step, and the surfaces half a step on.
-  step.take_whole_cells();
-  step.average_states();
-  const double dt = step.choose_length(stepping, until);
-  step.keep_old();
-  step.carry_surfaces_half(dt);
-  step.find_surfaces();
-  step.choose_donors_and_ghosts(Cells::whole);
-
+  const double dt = step.prepare_whole_cells(stepping, until);
   for (const Stage& stage : ssp_rk3) {
     step.find_ghosts(dt, stage.share);  // contact: touch, slide, separate
     step.update_whole_cells(FaceScheme::weno_hllc, dt, stage.share);

@@ -59,9 +59,8 @@ class Phases {
   void update_bands();
 
   // Phases of the ghost-fluid schemes only.
-  void take_whole_cells();
-  /// Cuts every body by its own mid-step level set, with the donors in the middle of their whole cells.
-  void find_surfaces();
+  /// The start of their step: whole cells, the stable step (returned), the surfaces half a step on, donors.
+  double prepare_whole_cells(const Stepping& stepping, double until);
   /// Riemann-Signorini states of all walls, and the ghosts that speak for them.
   void find_ghosts(double dt, double share);
   /// The same by the traction rule of the seed scheme.
@@ -85,6 +84,11 @@ class Phases {
   template <class F>
   void for_each_slot(StepPart part, F&& f);  // f(slot, scratch)
   Counters& counters(int slot) { return state_.ledger[static_cast<std::size_t>(slot)].counters; }
+  void take_whole_cells();
+  /// Cuts every body by its own mid-step level set, with the donors in the middle of their whole cells.
+  void find_surfaces();
+  template <class Find>
+  void find_ghosts_by(Find&& find);
   void swap_phi();
   void follow_mismatch(double rate);
   void place_rigid_bodies(double ahead, PhiAt where);

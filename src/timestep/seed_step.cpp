@@ -14,15 +14,7 @@ template <int Dim>
 double advance_seed(State<Dim>& state, const Stepping& stepping, double until, Engine& engine) {
   Phases<Dim> step{state, engine};
 
-  // The start of the step: real cells, the stable step, and the surfaces half a step on.
-  step.take_whole_cells();
-  step.average_states();
-  const double dt = step.choose_length(stepping, until);
-  step.keep_old();
-  step.carry_surfaces_half(dt);
-  step.find_surfaces();
-  step.choose_donors_and_ghosts(Cells::whole);
-
+  const double dt = step.prepare_whole_cells(stepping, until);
   for (const ClassicStage& stage : rk4) {
     const bool last = &stage == &rk4.back();
     step.find_seed_ghosts(stepping.kappa, dt, stage.weight);  // contact or void, by the traction

@@ -22,7 +22,7 @@ config::Expectation time_of(double value, double tolerance) {
 VerifiedCase made_up(const ScratchFolder& folder) {
   Summary s;
   s.version = "1";
-  s.cells = 340, s.steps = 12, s.wall_s = 2.5, s.exit = 5;
+  s.cells = 340, s.steps = 12, s.wall_s = 2.5, s.cpu_s = 3.5, s.exit = 5;
   s.expect.push_back({time_of(0.7e-6, 0.014e-6), {0.707e-6, false, false, ""}, true});
   config::Expectation limit;
   limit.quantity = "budget.total.mass", limit.value = 1e-11, limit.at_most = true, limit.why = "round-off";
@@ -67,7 +67,9 @@ TEST(VerifyTable, SaysTheSameInAllForms) {
   EXPECT_EQ(n.values, 3);
   EXPECT_EQ(n.references, 1);
   EXPECT_EQ(n.failures, 1);
-  const std::string text = verify_markdown(cases);
+  const std::string text = verify_markdown(cases, {"mesh.finest=0.2mm"});
+  EXPECT_NE(text.find("In every case: `--set mesh.finest=0.2mm`"), std::string::npos) << text;
+  EXPECT_NE(text.find("| plates | 3 | **1 failed** | 3.5 s |"), std::string::npos) << text;
   EXPECT_NE(text.find("1 cases, 3 checks, 1 of them"), std::string::npos) << text;
   EXPECT_NE(text.find("| budget.total.mass | ≤ 1e-11 | round-off | 0.001 | - | - | **FAIL** |"),
             std::string::npos)
