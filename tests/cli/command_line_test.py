@@ -294,13 +294,6 @@ class Study(Program):
                     "rear_velocity.png")
         self.assertEqual((self.folder / "study" / "rear_velocity.png").read_bytes()[:4], b"\x89PNG")
 
-    def test_values_set_in_every_case(self):
-        out = self.folder / "out"
-        self.expect(recoil("verify", self.expecting("-5.091 GPa"), "-o", out, "--set", "method.scheme=seed"), 0,
-                    "--set method.scheme=seed")
-        self.assertIn('scheme = "seed"', (out / "mine" / "case.resolved.toml").read_text())
-        self.expect(recoil("verify", self.case(), "--set", "method.scheme=sead"), 2, "seed")
-
     def test_mistakes_come_before_the_first_run(self):
         self.expect(recoil("study", self.case(), "--mesh", "0.2mm,fine", "-o", self.folder / "study"), 2, "fine")
         self.assertFalse((self.folder / "study").exists())
@@ -339,6 +332,13 @@ class Verify(Program):
         self.assertEqual(summary.stat().st_mtime_ns, before)
         self.expect(recoil("verify", self.expecting("-5.091 GPa"), "-o", out, "--reuse"), 0)
         self.assertNotEqual(summary.stat().st_mtime_ns, before)
+
+    def test_values_set_in_every_case(self):
+        out = self.folder / "out"
+        self.expect(recoil("verify", self.expecting("-5.091 GPa"), "-o", out, "--set", "method.scheme=seed"), 0,
+                    "--set method.scheme=seed")
+        self.assertIn('scheme = "seed"', (out / "mine" / "case.resolved.toml").read_text())
+        self.expect(recoil("verify", self.case(), "--set", "method.scheme=sead"), 2, "seed")
 
     def test_mistakes_come_before_the_first_run(self):
         self.expect(recoil("verify", "flyer_al_cuu", "-o", self.folder / "out"), 2, "did you mean 'flyer_al_cu'")
