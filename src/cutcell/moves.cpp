@@ -9,6 +9,8 @@ namespace recoil {
 
 namespace {
 
+constexpr double least_carrier = 0.02;  // part of a cell below which a piece's state carries no volume
+
 /// A window on the settled geometry, volumes and contents of one body.
 template <int Dim>
 class Pieces {
@@ -279,11 +281,17 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& sc
   p.gather_phi();
   transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
-    const double e = excess(i);
+    double e = excess(i);
     t.to = p.neighbour(i, 1);
     if (t.to == i) return t;
     const double there = p.volume[p.window.at(t.to)];
-    const bool from_own = e > 0 || there < std::max(4 * std::abs(e), 0.3 * p.full(t.to));
+    bool from_own = e > 0 || there < std::max(4 * std::abs(e), 0.3 * p.full(t.to));
+    if (from_own && !(p.volume[p.window.at(i)] > least_carrier * p.full(i))) {
+      // A cell that the geometry gives to the body before anything of it is there has no state to go by.
+      if (!(there > least_carrier * p.full(t.to))) return t;
+      from_own = false;
+      e = std::max(e, -0.5 * there);
+    }
     if (e < 0 && from_own && there < -e && p.thin(i)) return t;
     t.any = true;
     t.volume = e;

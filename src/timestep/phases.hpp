@@ -48,10 +48,10 @@ class Phases {
   /// To the end of the step; free ones with what their contacts have given them.
   void move_rigid_bodies(double dt);
   void carry_surfaces(double dt);
-  /// No level set reaches into a rigid body.
-  void cut_out_rigid_bodies();
   void remember_contact();
   void redistance(double dt);
+  /// No level set reaches into a rigid body.
+  void cut_out_rigid_bodies();
   void exchange_along_surfaces();
   void follow_volumes();
   void empty_and_fill();

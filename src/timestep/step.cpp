@@ -36,9 +36,9 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   // The level set goes with the walls, then follows the volumes; volume moves only with its contents.
   step.move_rigid_bodies(dt);
   step.carry_surfaces(dt);
-  step.cut_out_rigid_bodies();
   step.remember_contact();
   step.redistance(dt);
+  step.cut_out_rigid_bodies();
   step.cut_cells(Surfaces::own, PhiAt::now);
   step.exchange_along_surfaces();
   step.follow_volumes();

@@ -191,6 +191,17 @@ TYPED_TEST(Moves, FullCellsTakeWhatTheyLack) {
   });
 }
 
+/// A cell inside by the level set with nothing in it has no state: it takes half of what its neighbour holds.
+TYPED_TEST(Moves, FullCellsWithNothingInThemFillUp) {
+  auto state = this->slab(7.4);
+  const auto empty = TestFixture::cell(6, 9), outwards = TestFixture::cell(7, 9);
+  this->put(state, empty, 0, this->one);
+  this->run(state, [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, scratch); });
+  EXPECT_NEAR(this->volume(state, empty) / this->whole(), 0.2, 1e-12);
+  EXPECT_NEAR(this->volume(state, outwards) / this->whole(), 0.2, 1e-12);
+  this->expect_uniform(state);
+}
+
 TYPED_TEST(Moves, AThinBodyKeepsADeficitThatItsNeighbourCannotFill) {
   constexpr int dim = TestFixture::dim;
   Vec<dim> normal, point = this->grid.origin;
