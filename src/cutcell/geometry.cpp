@@ -30,14 +30,13 @@ Box<Dim> node_box(const Box<Dim>& cells) {
   return b;
 }
 
-/// Calls f(offset into the window) for the 2^Dim cells around a node.
-template <int Dim, class F>
-void around_node(const Window<Dim>& w, F&& f) {
-  for (int c = 0; c < 1 << Dim; ++c) {
-    int o = 0;
-    for (int d = 0; d < Dim; ++d) o -= (c >> d & 1) * w.stride(d);
-    f(o);
-  }
+/// Offsets into the window of the 2^Dim cells around a node.
+template <int Dim>
+std::array<int, static_cast<std::size_t>(1 << Dim)> around_node(const Window<Dim>& w) {
+  std::array<int, static_cast<std::size_t>(1 << Dim)> offset{};
+  for (int c = 0; c < 1 << Dim; ++c)
+    for (int d = 0; d < Dim; ++d) offset[static_cast<std::size_t>(c)] -= (c >> d & 1) * w.stride(d);
+  return offset;
 }
 
 /// Distance of a node from a rigid body. A node on an edge of a period is a node on the opposite edge as
@@ -93,21 +92,34 @@ Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt
     }
     return false;
   };
-  const double share = 1.0 / (1 << Dim), push = off_node * state.grid().dx;
-  int k = 0;
-  for_each(nodes, [&](const Index<Dim>& i) {
-    const int at = w.at(i);
-    double sum = 0;
-    std::uint32_t bits = 0;
-    around_node(w, [&](int o) {
-      sum += phi[at + o];
-      if (contact) bits |= contact[at + o];
-    });
-    const bool exact = pose && std::abs(share * sum) < exact_band * state.grid().dx && !at_outflow(i);
-    const double value = exact ? rigid_node(state.grid(), *b.rigid, *pose, i) : share * sum;
-    n.phi[k] = std::abs(value) < push ? (value < 0 ? -push : push) : value;
-    if (contact) n.contact[k] = bits;
-    ++k;
+  const double share = 1.0 / (1 << Dim), push = off_node * state.grid().dx,
+               band = exact_band * state.grid().dx;
+  const auto around = around_node(w);
+  Box<Dim> rows = nodes;
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = nodes.extent(0);
+  for_each(rows, [&](Index<Dim> i) {
+    const double* p = phi + w.at(i);
+    double* value = n.phi + nodes.at(i);
+#pragma omp simd
+    for (int c = 0; c < width; ++c) {
+      double sum = 0;
+      for (const int o : around) sum += p[c + o];
+      value[c] = share * sum;
+    }
+    if (contact) {
+      const std::uint32_t* from = contact + w.at(i);
+      std::uint32_t* bits = n.contact + nodes.at(i);
+      for (int c = 0; c < width; ++c) {
+        bits[c] = 0;
+        for (const int o : around) bits[c] |= from[c + o];
+      }
+    }
+    for (int c = 0; pose && c < width; ++c, ++i[0])
+      if (std::abs(value[c]) < band && !at_outflow(i))
+        value[c] = rigid_node(state.grid(), *b.rigid, *pose, i);
+    for (int c = 0; c < width; ++c)
+      value[c] = std::abs(value[c]) < push ? (value[c] < 0 ? -push : push) : value[c];
   });
   return n;
 }
@@ -183,19 +195,26 @@ void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, G
   g.cuts.clear();
   std::fill(g.kind.begin(), g.kind.end(), CellKind::empty);
   std::fill(g.index.begin(), g.index.end(), -1);
-  for_each(cells, [&](const Index<Dim>& i) {
-    const int cell = w.cell(i), at = nodes.at(i);
-    const auto k = static_cast<std::size_t>(cell);
-    Corners<Dim> corner{};
-    int negative = 0;
-    for (std::size_t c = 0; c < corner.size(); ++c) {
-      corner[c] = node[at + offset[c]];
-      negative += corner[c] < 0;
+  Box<Dim> rows = cells;
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = cells.extent(0);
+  for_each(rows, [&](Index<Dim> i) {
+    const double* p = node + nodes.at(i);
+    const int first = w.cell(i);
+    CellKind* kind = g.kind.data() + first;
+#pragma omp simd
+    for (int c = 0; c < width; ++c) {
+      int negative = 0;
+      for (const int o : offset) negative += p[c + o] < 0 ? 1 : 0;
+      kind[c] = negative == 0 ? CellKind::empty : negative == 1 << Dim ? CellKind::full : CellKind::cut;
     }
-    g.kind[k] = negative == 0 ? CellKind::empty : negative == 1 << Dim ? CellKind::full : CellKind::cut;
-    if (g.kind[k] != CellKind::cut) return;
-    g.index[k] = static_cast<int>(g.cuts.size());
-    g.cuts.push_back(cut_cell(grid, i, cell, corner));
+    for (int c = 0; c < width; ++c, ++i[0]) {
+      if (kind[c] != CellKind::cut) continue;
+      Corners<Dim> corner{};
+      for (std::size_t o = 0; o < corner.size(); ++o) corner[o] = p[c + offset[o]];
+      g.index[static_cast<std::size_t>(first + c)] = static_cast<int>(g.cuts.size());
+      g.cuts.push_back(cut_cell(grid, i, first + c, corner));
+    }
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -50,15 +51,16 @@ void row_primitives(const EosModel& eos, std::size_t first, std::size_t count, s
 }
 
 template <int Dim, class EosModel>
-bool beyond_equations(const EosModel& eos, const Contents<Dim>& q, double volume) {
+[[gnu::always_inline]] inline bool beyond_equations(const EosModel& eos, const Contents<Dim>& q,
+                                                    double volume) {
   using C = Components<Dim>;
   const double rho = q[C::rho] / volume;
-  if (!(rho > least_density * eos.rho0 && rho < largest_density * eos.rho0)) return true;
+  const bool possible = (rho > least_density * eos.rho0) & (rho < largest_density * eos.rho0);
   double momentum2 = 0;
   for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
   const double p = eos.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
   const double c0 = bulk_sound_speed(eos);
-  return !(eos.sound_speed_squared(rho, p) >= admissible_sound * c0 * c0);
+  return !(possible & (eos.sound_speed_squared(rho, p) >= admissible_sound * c0 * c0));  // true for NaN
 }
 
 template <int Dim, class EosModel>
@@ -165,19 +167,36 @@ template <int Dim>
 std::int64_t mark_bad_states(const State<Dim>& state, Body<Dim>& body, int slot) {
   BodyBlock<Dim>& b = body.at(slot);
   std::int64_t count = 0;
+  const Grid<Dim>& grid = state.grid();
   const Index<Dim> lo = state.mesh.block(slot).cells.lo;
   const std::size_t n = b.volume.size();
+  Box<Dim> rows = b.matter;
+  const int width = rows.extent(0);
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
   std::visit(
       [&](const auto& eos) {
-        for_each(b.matter, [&](const Index<Dim>& i) {
-          const auto k = static_cast<std::size_t>(state.grid().layout().at(i - lo));
-          b.role[k] &= static_cast<std::uint8_t>(~bad_state);
-          if (b.volume[k] <= least_judged * state.grid().full_volume(i)) return;
+        const auto is_bad = [&](Index<Dim> i, std::size_t k, int c) {
+          i[0] += c;
+          const std::size_t at = k + static_cast<std::size_t>(c);
           Contents<Dim> q;  // what is judged: mass, momentum, energy
-          for (std::size_t c = 0; c <= Components<Dim>::energy; ++c) q[c] = b.contents[c * n + k];
-          if (!beyond_equations<Dim>(eos, q, b.volume[k])) return;
-          b.role[k] |= bad_state;
-          ++count;
+          for (std::size_t j = 0; j <= Components<Dim>::energy; ++j) q[j] = b.contents[j * n + at];
+          return (b.volume[at] > least_judged * grid.full_volume(i)) &
+                 beyond_equations<Dim>(eos, q, b.volume[at]);
+        };
+        for_each(rows, [&](const Index<Dim>& i) {
+          const auto k = static_cast<std::size_t>(grid.layout().at(i - lo));
+          std::uint8_t* role = b.role.data() + k;
+          int any = 0;
+#pragma omp simd reduction(| : any)
+          for (int c = 0; c < width; ++c) {
+            role[c] &= static_cast<std::uint8_t>(~bad_state);
+            any |= is_bad(i, k, c) ? 1 : 0;
+          }
+          for (int c = 0; any != 0 && c < width; ++c) {
+            if (!is_bad(i, k, c)) continue;
+            role[c] |= bad_state;
+            ++count;
+          }
         });
       },
       body.material.eos);

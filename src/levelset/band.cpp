@@ -29,7 +29,7 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
         (b.present && !body.rigid && b.volume[static_cast<std::size_t>(w.cell(i))] != 0))
       extend(choice.reach, i);
   });
-  if (!b.present || body.rigid) return choice;
+  if (!b.present || body.rigid || choice.near_surface) return choice;
   // Pieces that the level set has lost stay, and stay cut.
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
   bool any = false, partial = false;
