@@ -1,5 +1,6 @@
 #include "dynamics/plastic_return.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dynamics/primitives.hpp"
@@ -52,21 +53,28 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
 }
 
 template <int Dim>
-void combine_with_old(BodyBlock<Dim>& b, double old_part) {
-  const auto mix = [&](std::vector<double>& now, const std::vector<double>& old) {
-    double* a = now.data();
-    const double* o = old.data();
-    const std::size_t n = now.size();
+void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double old_part) {
+  BodyBlock<Dim>& b = body.at(slot);
+  const Box<Dim> layout = state.grid().layout();
+  const auto n = static_cast<std::size_t>(layout.size());
+  Box<Dim> rows = b.reach;
+  const auto width = static_cast<std::size_t>(rows.extent(0));
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  for_each(rows, [&](const Index<Dim>& i) {
+    const auto first = static_cast<std::size_t>(layout.at(i - state.mesh.block(slot).cells.lo));
+    const auto mix = [&](double* now, const double* old) {
 #pragma omp simd
-    for (std::size_t k = 0; k < n; ++k) a[k] += old_part * (o[k] - a[k]);  // exact where nothing changed
-  };
-  mix(b.contents, b.contents_old);
-  mix(b.volume, b.volume_old);
+      for (std::size_t k = 0; k < width; ++k) now[k] += old_part * (old[k] - now[k]);
+    };
+    for (std::size_t c = 0; c < Components<Dim>::contents; ++c)
+      mix(b.contents.data() + c * n + first, b.contents_old.data() + c * n + first);
+    mix(b.volume.data() + first, b.volume_old.data() + first);
+  });
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                   \
   template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double); \
-  template void combine_with_old<Dim>(BodyBlock<Dim>&, double);
+  template void combine_with_old<Dim>(const State<Dim>&, Body<Dim>&, int, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

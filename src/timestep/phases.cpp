@@ -190,7 +190,7 @@ template <int Dim>
 void Phases<Dim>::return_to_yield(double dt, double old_part) {
   for_each_body(StepPart::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
     recoil::return_to_yield(state_, body, slot, dt);
-    if (old_part > 0) combine_with_old(body.at(slot), old_part);
+    if (old_part > 0) combine_with_old(state_, body, slot, old_part);
   });
 }
 
