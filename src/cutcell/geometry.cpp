@@ -14,6 +14,7 @@ constexpr double shared_gap = 0.15;         // closer than this [dx], one surfac
 constexpr double shared_contact_gap = 0.5;  // or than this beside cells in contact
 constexpr double off_node = 1e-6;           // a surface is kept this far [dx] from nodes
 constexpr double exact_band = 3;            // nodes of rigid bodies nearer than this [dx] are exact
+constexpr double normal_step = 0.01;        // [dx] either way: a sharp edge is narrow
 
 /// phi at the nodes of one block for one body. Node i is the low corner of cell i.
 struct Nodes {
@@ -302,7 +303,7 @@ Vec<Dim> phi_normal(const Box<Dim>& window, const double* phi, const Index<Dim>&
 template <int Dim>
 Vec<Dim> rigid_normal(const Grid<Dim>& grid, const RigidMotion<Dim>& motion, const RigidPose<Dim>& pose,
                       const Vec<Dim>& x) {
-  const double half = 0.25 * grid.dx;
+  const double half = normal_step * grid.dx;
   Vec<Dim> g;
   for (int d = 0; d < Dim; ++d) {
     const auto& edge = grid.edge[static_cast<std::size_t>(d)];

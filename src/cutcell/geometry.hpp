@@ -25,7 +25,7 @@ template <int Dim>
 void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, Scratch& scratch,
                    double ahead = 0);
 
-/// Outward normal of a rigid body in a pose near x: differences of its distance over dx / 2, mirrored at
+/// Outward normal of a rigid body in a pose near x: differences of its distance over dx / 50, mirrored at
 /// planes of symmetry and one-sided at other edges of the domain.
 template <int Dim>
 Vec<Dim> rigid_normal(const Grid<Dim>& grid, const RigidMotion<Dim>& motion, const RigidPose<Dim>& pose,

@@ -248,6 +248,23 @@ TYPED_TEST(Geometries, NormalsOfRigidBodies) {
     EXPECT_LT(
         norm(rigid_normal(this->grid, slab, pose, this->middle + 0.5 * side * thickness * n) - side * n),
         1e-12);
+  // A hundredth of a cell beside the ridge of a wedge the other flank does not show.
+  RigidMotion<dim> wedge;
+  const double c = std::cos(0.13), z = std::sin(0.13);
+  wedge.distance = [=, this](const Vec<dim>& x) {
+    const Vec<dim> r = x - this->middle;
+    return dim == 1 ? r[0] : c * std::abs(r[0]) + z * r[dim - 1];
+  };
+  Vec<dim> flank = this->middle, out;
+  out[0] = c;
+  if (dim > 1) {
+    flank[0] += 0.015 * dx;
+    flank[dim - 1] -= 0.015 * dx * c / z;
+    out[dim - 1] = z;
+  } else {
+    out[0] = 1;
+  }
+  EXPECT_LT(norm(rigid_normal(this->grid, wedge, pose_after(wedge, 0), flank) - out), 1e-9);
   // At a plane of symmetry a ball's normal lies in the plane.
   auto mirrored = this->grid;
   mirrored.edge[0] = {Edge::reflect, Edge::reflect};
