@@ -50,8 +50,7 @@ double thickness(const Shape& s, const config::Domain& domain) {
 }
 
 /// Thinner rigid bodies that lie askew let matter past: in some cells no node lies between their two sides. A
-/// band of 1.2 cells at slope 1/6 bears all of its contact, one of 0.9 cells 90 %, one of 0.5 cells 20 to 50
-/// %.
+/// band of 1.2 cells at slope 1/6 bears all of its contact, one of 0.9 cells 90 %, one of 0.5 cells half.
 constexpr double rigid_cells_needed = 1.2;
 
 void check_rigid_thickness(LoadedCase& loaded, const Body& body, double t) {
