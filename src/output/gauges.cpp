@@ -38,8 +38,8 @@ struct ColumnList {
 /// Places of the sums over the cells in contact, then of the maxima.
 template <int Dim>
 struct At {
-  static constexpr std::size_t area = 0, traction = 1, velocity = 2, gap = 3, power = 4, force = 5,
-                               shear = force + Dim, sums = shear + Dim, widest = sums, deepest = sums + 1;
+  static constexpr std::size_t area = 0, traction = 1, velocity = 2, gap = 3, power = 4, square = 5,
+                               force = 6, shear = force + Dim, sums = shear + Dim, widest = sums, deepest = sums + 1;
 };
 
 void contact_columns(ColumnList& list, const RunUnits& units, bool directed) {
@@ -53,6 +53,7 @@ void contact_columns(ColumnList& list, const RunUnits& units, bool directed) {
   for (const char* name : {"normal-force", "tangential-force"}) list.one(name, units.force);
   for (const char* name : {"normal-impulse", "tangential-impulse"}) list.one(name, units.momentum);
   list.one("friction", "1");
+  list.one("traction-scatter", "GPa", 1e-9);
   if (!directed) return;
   list.one("force.along", units.force);
   list.one("impulse.along", units.momentum);
@@ -219,6 +220,7 @@ void probe_contact(const State<Dim>& state, int pair, const Vec<Dim>& at, double
                    gap = c.gap / state.grid().dx;
       row[A::area] += c.area;
       row[A::traction] += c.traction * c.area;
+      row[A::square] += c.traction * c.traction * c.area;
       row[A::velocity] += speed * c.area;
       row[A::gap] += c.gap * c.area;
       row[A::power] += sign * (c.traction * c.area * speed + dot(c.shear_force, c.velocity));
@@ -231,6 +233,14 @@ void probe_contact(const State<Dim>& state, int pair, const Vec<Dim>& at, double
       row[A::deepest] = std::max(row[A::deepest], -gap);
     });
   }
+}
+
+/// Root mean square over the area of the traction's departure from its mean.
+template <int Dim>
+double scatter(std::span<const double> now) {
+  using A = At<Dim>;
+  const double mean = now[A::traction] / now[A::area];
+  return std::sqrt(std::max(0.0, now[A::square] / now[A::area] - mean * mean));
 }
 
 }  // namespace
@@ -317,6 +327,7 @@ void Gauges<Dim>::read_contact(const Gauge& g, const PairSample& p, const Ordere
   row_.insert(row_.end(), {units_.whole * -now[A::traction], units_.whole * std::sqrt(shear),
                            units_.whole * g.normal_impulse, units_.whole * g.tangential_impulse});
   row_.push_back(g.normal_impulse > 0 ? g.tangential_impulse / g.normal_impulse : nothing);
+  row_.push_back(touching ? scatter<Dim>(now) : nothing);
   if (g.direction == Vec<Dim>{}) return;
   row_.push_back(sign * along(g, p.force));
   row_.push_back(sign * along(g, p.impulse));

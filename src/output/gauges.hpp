@@ -35,7 +35,8 @@ namespace recoil {
 ///                     force.AXIS and impulse.AXIS on the first named body, work done on it; normal-force and
 ///                     tangential-force (their sizes, normal and tangent to the surface cell by cell), the
 ///                     time integrals of these, normal-impulse and tangential-impulse, and friction, the
-///                     second over the first; with a direction force.along and impulse.along it.
+///                     second over the first; traction-scatter, the root mean square over the area of the
+///                     traction's departure from its mean; with a direction force.along and impulse.along it.
 ///                     With a radius only cells within it count. Force and work are then integrated over time
 ///                     from the last stage of each step, which stands in its middle; without, impulse and
 ///                     work are what was exchanged, to the last bit.
