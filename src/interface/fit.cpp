@@ -9,7 +9,17 @@ namespace recoil {
 
 namespace {
 
-constexpr double fit_box = 2.35;     // half width [dx]
+// Donors lie within these distances [dx] from the surface point, and their weights fall with the square of
+// the distance at these rates [1/dx^2]. Along a flat surface the reach is wide: the layers of cells that a
+// slanted surface cuts then hold every phase of the cut, and a fit depends less on its own. It ends where the
+// weight has fallen to a seventeenth; with a weight of a third at its end the fits of a surface at 45 degrees
+// grow unstable. Where the radius of curvature is 10 dx or less, reach and rate are those across: a wide fit
+// would leave the layers along the surface. In 3-D, which has two directions along the surface, a wider one
+// would cost too much.
+constexpr double reach_across = 2.35, decay_across = 0.6, decay_wide = 0.3;
+template <int Dim>
+constexpr double decay_along = Dim == 3 ? 0.35 : 0.15;
+constexpr double end_exponent = 2.84, most_curved = 0.1;
 constexpr double fit_ridge = 0.006;  // of the total weight, on the diagonal of the gradient's matrix
 constexpr int fit_reach = 7;         // the widest box reaches 6 cells, the surface point lies at most 1 away
 
@@ -41,24 +51,61 @@ Matrix<Dim> inverse(const Matrix<Dim>& m) {
   return a;
 }
 
-/// The donors around one surface point, within a box of `half` cells. Appends to block.donors; places go to
-/// `place`.
+/// Where the donors of one fit lie, and how their weights fall with the distance from the surface point.
+template <int Dim>
+struct Reach {
+  Vec<Dim> normal;  // of the surface
+  double along = 0, decay = 0;
+  Index<Dim> half;  // cells around that of the surface point
+  int widened = 0;  // a box of so many cells, the same in all directions, where the matter is far; else 0
+
+  bool holds(const Vec<Dim>& x, double across2, double along2) const {
+    if (widened == 0) return across2 <= reach_across * reach_across && along2 <= along * along;
+    bool inside = true;
+    for (int d = 0; d < Dim; ++d) inside = inside && std::abs(x[d]) <= widened;
+    return inside;
+  }
+  double weight(double across2, double along2) const {
+    return widened == 0 ? std::exp(-decay_across * across2 - decay * along2)
+                        : std::exp(-decay_wide * (across2 + along2));
+  }
+};
+
+/// @param curvature of the surface, times dx.
+template <int Dim>
+Reach<Dim> reach_of(const Vec<Dim>& surface, double curvature, int widened) {
+  const double bent = std::min(std::abs(curvature) / most_curved, 1.0);
+  Reach<Dim> r{unit(surface), 0, decay_along<Dim> + bent * (decay_across - decay_along<Dim>), {}, widened};
+  r.along = std::max(reach_across, std::sqrt(end_exponent / r.decay));
+  for (int d = 0; d < Dim; ++d) {
+    const double tangent = std::sqrt(std::max(0.0, 1 - r.normal[d] * r.normal[d]));
+    const double extent = reach_across * std::abs(r.normal[d]) + r.along * tangent;
+    r.half[d] = widened > 0 ? widened : static_cast<int>(std::lround(extent));
+  }
+  return r;
+}
+
+/// Mean curvature of a level set at a cell, times dx.
+template <int Dim>
+double curvature_at(const Window<Dim>& w, const double* phi, int k, double dx) {
+  double sum = 0;
+  for (int d = 0; d < Dim; ++d) sum += phi[k - w.stride(d)] + phi[k + w.stride(d)] - 2 * phi[k];
+  return sum / (dx * std::max(Dim - 1, 1));
+}
+
+/// The donors around one surface point. Appends to block.donors; places go to `slope_weight`.
 template <int Dim>
 int collect(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, const std::uint8_t* role,
-            const Vec<Dim>& point, int half, std::vector<Donor<Dim>>& donors) {
+            const Vec<Dim>& point, const Reach<Dim>& reach, std::vector<Donor<Dim>>& donors) {
   const Grid<Dim>& grid = state.grid();
-  Index<Dim> centre;
   Vec<Dim> at;
-  for (int d = 0; d < Dim; ++d) {
-    at[d] = (point[d] - grid.origin[d]) / grid.dx - 0.5;
-    centre[d] = static_cast<int>(std::floor(at[d] + 0.5));
-  }
   Box<Dim> box;
   for (int d = 0; d < Dim; ++d) {
-    box.lo[d] = std::max(centre[d] - half, w.box().lo[d]);
-    box.hi[d] = std::min(centre[d] + half + 1, w.box().hi[d]);
+    at[d] = (point[d] - grid.origin[d]) / grid.dx - 0.5;
+    const int centre = static_cast<int>(std::floor(at[d] + 0.5));
+    box.lo[d] = std::max(centre - reach.half[d], w.box().lo[d]);
+    box.hi[d] = std::min(centre + reach.half[d] + 1, w.box().hi[d]);
   }
-  const double limit = half > 2 ? half : fit_box, decay = half > 2 ? 0.3 : 0.6;
   const std::size_t before = donors.size();
   for_each(box, [&](const Index<Dim>& i) {
     if ((role[w.at(i)] & donates) == 0) return;
@@ -71,14 +118,13 @@ int collect(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w
       const Vec<Dim>& centroid = home.geometry.cuts[static_cast<std::size_t>(cut)].centroid;
       for (int d = 0; d < Dim; ++d) x[d] += (from.flips >> d & 1U) != 0 ? -centroid[d] : centroid[d];
     }
-    double r2 = 0;
-    for (int d = 0; d < Dim; ++d) {
-      if (std::abs(x[d]) > limit) return;
-      r2 += x[d] * x[d];
-    }
+    const double across = dot(x, reach.normal), across2 = across * across,
+                 along2 = std::max(0.0, dot(x, x) - across2);
+    if (!reach.holds(x, across2, along2)) return;
     const Index<Dim> home_cell = state.mesh.block(from.slot).cells.lo + grid.layout().index(from.cell);
     const double fill = home.volume[static_cast<std::size_t>(from.cell)] / grid.full_volume(home_cell);
-    donors.push_back({from.slot, from.cell, from.flips, std::exp(-decay * r2) * std::min(fill, 1.0), x});
+    donors.push_back(
+        {from.slot, from.cell, from.flips, reach.weight(across2, along2) * std::min(fill, 1.0), x});
   });
   return static_cast<int>(donors.size() - before);
 }
@@ -191,11 +237,18 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   auto* role = scratch.take<std::uint8_t>(static_cast<std::size_t>(w.size()));
   w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
            Beyond::extend, role);
+  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; },
+           far_cells * state.grid().dx, Beyond::extend, phi);
   for (std::size_t m = 0; m < b.walls.size(); ++m) {
     Wall<Dim>& wall = b.walls[m];
     wall.first_donor = static_cast<int>(b.donors.size());
-    for (int half = 2; half <= 6 && wall.donors == 0; half += 2)
-      wall.donors = collect(state, body, w, role, b.geometry.cuts[m].point, half, b.donors);
+    const CutCell<Dim>& cut = b.geometry.cuts[m];
+    const double curvature = curvature_at(w, phi, w.at(w.index_of(cut.cell)), state.grid().dx);
+    for (const int widened : {0, 4, 6})
+      if (wall.donors == 0)
+        wall.donors = collect(state, body, w, role, cut.point, reach_of<Dim>(cut.surface, curvature, widened),
+                              b.donors);
     if (wall.donors > 0)
       solve(wall, b.donors);
     else

@@ -6,9 +6,11 @@
 namespace recoil {
 
 /// Chooses the donors and weights of one linear least-squares fit at the surface point of every cut cell of a
-/// block: pieces with V > 0.3 full whose centroids lie within |x_d| <= 2.35 dx of it (a box, whose weights
-/// separate, so that aligned problems reduce to 1-D), weighted with exp(-0.6 r^2/dx^2) min(V/full, 1); a
-/// wider box where there is none. Once a step. Writes BodyBlock::walls and ::donors.
+/// block: pieces with V > 0.3 full whose centroids lie within 2.35 dx of it across the surface and within
+/// 4.35 dx along it (2.85 dx in 3-D), weighted with exp(-0.6 n^2 - 0.15 t^2) min(V/full, 1) (0.35 t^2 in
+/// 3-D), n and t in dx: weights that separate, so that aligned problems reduce to 1-D. Along curved surfaces
+/// the reach is shorter, from a radius of 10 dx on that across. A wide box where there is no donor. Once a
+/// step. Writes BodyBlock::walls and ::donors.
 template <int Dim>
 void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch);
 

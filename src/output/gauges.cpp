@@ -39,7 +39,8 @@ struct ColumnList {
 template <int Dim>
 struct At {
   static constexpr std::size_t area = 0, traction = 1, velocity = 2, gap = 3, power = 4, square = 5,
-                               force = 6, shear = force + Dim, sums = shear + Dim, widest = sums, deepest = sums + 1;
+                               force = 6, shear = force + Dim, sums = shear + Dim, widest = sums,
+                               deepest = sums + 1;
 };
 
 void contact_columns(ColumnList& list, const RunUnits& units, bool directed) {

@@ -144,6 +144,32 @@ TYPED_TEST(Fits, ValuesAreLimitedByTheDonors) {
   });
 }
 
+/// A pressure that curves across a surface at 10 degrees: the fit sees the same layers whatever part of its
+/// cell the surface leaves, so that its error is nearly the same everywhere.
+TEST(FitsOfASlantedSurface, HardlyDependOnTheCut) {
+  using C = Components<2>;
+  const Grid<2> grid = make_test_grid<2>(32, 16, Edge::outflow);
+  const Material material = samples::copper();
+  const Primitives<2> base = some_primitives<2>(material);
+  const Vec<2> n{{std::cos(10 * M_PI / 180), std::sin(10 * M_PI / 180)}}, middle = middle_of(grid);
+  Prepared<2> p{grid, {half_space(middle, n)}, {base}};
+  Fits<std::integral_constant<int, 2>>::set_averages(p, [&](const Vec<2>& x) {
+    auto w = base;
+    const double s = dot(n, x - middle) / grid.dx;
+    w[C::p] = 1e8 * s * s;
+    return w;
+  });
+  p.evaluate();
+  double low = 1e300, high = -1e300;
+  p.for_each_wall(0, [&](const Wall<2>& w, const CutCell<2>& cut, const Index<2>& i) {
+    if (!grid.domain().grown(-6).contains(i) || norm(cut.surface) < 0.5 * grid.dx) return;
+    low = std::min(low, w.value[C::p]);
+    high = std::max(high, w.value[C::p]);
+  });
+  EXPECT_LT(high, 0) << "a line through a curve that opens upwards undershoots at its end";
+  EXPECT_LT(high - low, 1.2e7) << "a reach of 2.35 cells gives 2.5e7: " << low << ' ' << high;
+}
+
 /// Beside a plane of symmetry the mirrored donors count with turned velocities.
 TEST(FitsAtMirrors, VelocitiesTurnRound) {
   auto grid = make_test_grid<2>(20, 10, Edge::reflect, true);

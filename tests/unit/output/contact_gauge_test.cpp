@@ -75,6 +75,10 @@ TEST(ContactGauge, OfTheWholeAndOfAPart) {
   EXPECT_NEAR(all.numbers("traction")[20], -0.05, 0.006) << "the edges are released";
   EXPECT_NEAR(middle.numbers("traction")[20], -0.05, 0.001);
   EXPECT_NEAR(middle.numbers("velocity")[20], 10, 0.3);
+  EXPECT_EQ(middle.unit("traction-scatter"), "GPa");
+  EXPECT_GT(middle.numbers("traction-scatter")[20], 0);
+  EXPECT_LT(middle.numbers("traction-scatter")[20], 0.001);
+  EXPECT_GT(all.numbers("traction-scatter")[20], 0.002) << "the released edges";
   EXPECT_NEAR(middle.numbers("area").back(), 1.4e-3, 0.15e-3) << "to a cell at each end";
   EXPECT_LT(middle.numbers("widest-gap").back(), 0.1);
   EXPECT_GT(middle.numbers("deepest-overlap").back(), -0.1);
