@@ -18,16 +18,16 @@ template <int Dim, class EosModel>
 void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double shear_modulus, Work<Dim>& w,
                    Scratch& scratch) {
   using C = Components<Dim>;
-  const auto cells = static_cast<std::size_t>(w.grid.layout().size());
   constexpr std::size_t count = EosModel::barotropic ? C::primitives : C::contents;
-  w.primitive = scratch.take<double>(w.wide * C::primitives);
+  w.primitive = scratch.take<double>(w.wide * C::primitives + vector_length);
+  std::array<typename Window<Dim>::template Component<double>, count> components;
   for (std::size_t c = 0; c < count; ++c) {
-    unsigned odd = 0;
+    components[c].missing = c == C::rho ? eos.rho0 : 0.0;
     for (int d = 0; d < Dim; ++d)
-      if (component_sign<Dim>(static_cast<int>(c), 1U << d) < 0) odd |= 1U << d;
-    w.window.gather([&](int s) { return body.present(s) ? body.at(s).average.data() + c * cells : nullptr; },
-                    c == C::rho ? eos.rho0 : 0.0, Beyond::extend, w.primitive + c * w.wide, odd);
+      if (component_sign<Dim>(static_cast<int>(c), 1U << d) < 0) components[c].odd_axes |= 1U << d;
   }
+  w.window.gather([&](int s) { return body.present(s) ? body.at(s).average.data() : nullptr; }, components,
+                  Beyond::extend, w.primitive);
   if (body.at(slot).near_surface) {
     w.role = scratch.take<std::uint8_t>(w.wide);
     w.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; },
@@ -39,7 +39,7 @@ void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double 
       for (std::size_t k = 0; k < w.wide; ++k) value[k] = (w.role[k] & valued) != 0 ? value[k] : missing;
     }
   }
-  w.impedance = scratch.take<double>(w.wide);
+  w.impedance = scratch.take<double>(w.wide + vector_length);
   const double c0 = bulk_sound_speed(eos), least = least_sound * c0 * c0;
   const double *rho = w.primitive, *p = w.primitive + C::p * w.wide;
 #pragma omp simd
@@ -156,7 +156,7 @@ void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Di
   double* area = scratch.take<double>(nf);
   double* flux = scratch.take<double>(nf * C::contents);
   double* velocity = scratch.take<double>(nf * Dim);
-  w.stress = scratch.take<double>(w.wide);
+  w.stress = scratch.take<double>(w.wide + vector_length);
   {
     const double* p = w.primitive + C::p * w.wide;
     const double* a = w.primitive + static_cast<std::size_t>(C::s) * w.wide;

@@ -8,8 +8,8 @@
 
 namespace recoil::detail {
 
-/// The arrays of one block's update. Window arrays hold [component][window cells], the others
-/// [component][cells].
+/// The arrays of one block's update. Window arrays hold [component][window cells] and one vector more, so
+/// that rows may be read in whole vectors; the others [component][cells].
 template <int Dim>
 struct Work {
   const Grid<Dim>& grid;
@@ -65,7 +65,8 @@ void solve_along_rows(const EosModel& eos, double g, const Work<Dim>& w, const F
     const Span open = open_span(out.area + at_face, out.box.extent(0));
     for (int from = open.lo; from < open.hi; from += longest_row - 1) {
       const int count = std::min(open.hi - from, longest_row - 1);
-      Row<Dim> row{w.primitive, w.stress, w.impedance, w.wide, at_cell + from - 1, 1, count + 1};
+      Row<Dim> row{
+          w.primitive, w.stress, w.impedance, w.wide, at_cell + from - 1, 1, whole_vectors(count + 1)};
       reconstruct<Dim, 0, Shear>(eos, g, row, 0, low, high);
       ++row.first;
       row.count = count;
@@ -98,9 +99,10 @@ void solve_across_rows(const EosModel& eos, double g, const Work<Dim>& w, const 
             layer + 1 < layers ? open_span(out.area + at_face + (layer + 1) * next, count) : Span{};
         const Span all = both(open, ahead);
         if (!all.empty())
-          reconstruct<Dim, Axis, Shear>(
-              eos, g, {w.primitive, w.stress, w.impedance, w.wide, first + all.lo, step, all.hi - all.lo},
-              all.lo, low, *high);
+          reconstruct<Dim, Axis, Shear>(eos, g,
+                                        {w.primitive, w.stress, w.impedance, w.wide, first + all.lo, step,
+                                         whole_vectors(all.hi - all.lo)},
+                                        all.lo, low, *high);
         if (!open.empty())
           counters.first_order_faces += solve_faces<Dim, Axis, Shear>(
               eos, g, {w.primitive, w.stress, w.impedance, w.wide, first + open.lo, step, open.hi - open.lo},

@@ -10,6 +10,9 @@ namespace recoil {
 
 /// The longest row of cells or faces that one call takes.
 inline constexpr int longest_row = 96;
+/// Rows of cells may be rounded up to whole vectors: what is computed beyond their end is not used.
+inline constexpr int vector_length = 4;
+constexpr int whole_vectors(int count) { return (count + vector_length - 1) / vector_length * vector_length; }
 
 /// Where a row of cells, or of faces, reads. Arrays hold every component of every cell of a window. Cell i of
 /// a row of cells is `first + i`; face i of a row of faces lies between cells `first + i - step` and `first +
@@ -27,8 +30,9 @@ struct Row {
 /// Primitives of a row of cells at one of their two faces across an axis.
 template <int Dim>
 struct FaceValues {
-  alignas(64) double value[Components<Dim>::primitives][longest_row];
-  alignas(64) double stress[longest_row];  // sigma_nn
+  static constexpr int room = longest_row + 8;
+  alignas(64) double value[Components<Dim>::primitives][room];
+  alignas(64) double stress[room];  // sigma_nn
 };
 
 /// Flux per area along the axis, and the star velocities.
@@ -193,7 +197,8 @@ int solve_faces(const EosModel& eos, double shear_modulus, const Row<Dim>& in, F
       double* value = &w.value[0][i + from];
       if (good(value[0], own[i], eos.sound_speed_squared(value[0], p[i]))) continue;
       for (std::size_t c = 0; c < P; ++c)
-        value[c * longest_row] = in.primitive[c * in.cells + static_cast<std::size_t>(in.first + i + shift)];
+        value[c * FaceValues<Dim>::room] =
+            in.primitive[c * in.cells + static_cast<std::size_t>(in.first + i + shift)];
       w.stress[i + from] = in.stress[in.first + i + shift];
       sound[i] = c_long(value[0], eos.sound_speed_squared(value[0], p[i]));
     }

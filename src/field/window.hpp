@@ -77,15 +77,28 @@ class Window {
     return source(i);
   }
 
+  /// What gather() puts where there is nothing, and the axes (bits) whose mirrors turn the sign.
+  template <class T>
+  struct Component {
+    T missing{};
+    unsigned odd_axes = 0;
+  };
+
   /// Copies one value per cell into out [size()]. `of(slot)` gives a block's array or null where it has none.
   template <class T, class Of>
   void gather(Of&& of, T missing, Beyond beyond, T* out, unsigned odd_axes = 0) const {
+    gather(of, std::array{Component<T>{missing, odd_axes}}, beyond, out);
+  }
+  /// Copies several components of every cell into out [components][size()]; they lie one block's layout apart
+  /// in the arrays that `of(slot)` gives.
+  template <class T, class Of, std::size_t n>
+  void gather(Of&& of, const std::array<Component<T>, n>& components, Beyond beyond, T* out) const {
     std::array<const T*, static_cast<std::size_t>(power<Dim>(3))> from{};
-    for (std::size_t n = 0; n < from.size(); ++n) from[n] = slots_[n] >= 0 ? of(slots_[n]) : nullptr;
+    for (std::size_t s = 0; s < from.size(); ++s) from[s] = slots_[s] >= 0 ? of(slots_[s]) : nullptr;
     Index<Dim> row = box_.lo;
     const int rows = box_.size() / box_.extent(0), width = box_.extent(0);
     for (int r = 0; r < rows; ++r) {
-      gather_row(row, from, missing, beyond, out + static_cast<std::ptrdiff_t>(r) * width, odd_axes);
+      gather_row(row, from, components, beyond, out + static_cast<std::ptrdiff_t>(r) * width);
       for (int d = 1; d < Dim; ++d) {
         if (++row[d] < box_.hi[d]) break;
         row[d] = box_.lo[d];
@@ -111,6 +124,8 @@ class Window {
   }
 
   Axis map_index(const Block<Dim>& block, int d, int g) const {
+    if (g >= block.cells.lo[d] && g < block.cells.hi[d])
+      return {0, g - block.cells.lo[d], false, false, false};
     const Grid<Dim>& grid = mesh_.grid();
     const int n = grid.cells[d], nb = grid.block[d];
     const auto& edge = grid.edge[static_cast<std::size_t>(d)];
@@ -163,9 +178,9 @@ class Window {
     }
   }
 
-  template <class T, class From>
-  void gather_row(const Index<Dim>& row, const From& from, T missing, Beyond beyond, T* out,
-                  unsigned odd) const {
+  template <class T, class From, std::size_t n>
+  void gather_row(const Index<Dim>& row, const From& from, const std::array<Component<T>, n>& components,
+                  Beyond beyond, T* out) const {
     int block_row = 0, cell_row = 0, block_stride = 3, cell_stride = layout_.extent(0);
     bool outside = false, open = false;
     unsigned flips = 0;
@@ -179,26 +194,34 @@ class Window {
       open = open || a.open;
       flips |= static_cast<unsigned>(a.flip) << d;
     }
+    const auto apart_from = static_cast<std::size_t>(layout_.size()),
+               apart = static_cast<std::size_t>(size());
     for (int r = 0; r < runs_; ++r) {
       const Run& run = run_[static_cast<std::size_t>(r)];
       const T* base = from[static_cast<std::size_t>(block_row + run.offset + 1)];
-      T* to = out + run.to;
-      if (base == nullptr || (beyond == Beyond::nothing && (outside || run.outside)) ||
-          (beyond == Beyond::mirror && (open || run.open))) {
-        std::fill(to, to + run.n, missing);
-        continue;
-      }
-      base += cell_row + run.local;
-      if (run.step == 1)
-        std::memcpy(to, base, static_cast<std::size_t>(run.n) * sizeof(T));
-      else
-        for (int i = 0; i < run.n; ++i) to[i] = base[i * run.step];
-      if constexpr (std::is_same_v<T, double>) {
-        const unsigned turned = (flips | (run.flip ? 1U : 0U)) & odd;
-        if (__builtin_popcount(turned) % 2 == 1)
-          for (int i = 0; i < run.n; ++i) to[i] = -to[i];
+      const bool nothing = base == nullptr || (beyond == Beyond::nothing && (outside || run.outside)) ||
+                           (beyond == Beyond::mirror && (open || run.open));
+      const unsigned turned = flips | (run.flip ? 1U : 0U);
+      for (std::size_t c = 0; c < n; ++c) {
+        T* to = out + c * apart + run.to;
+        if (nothing)
+          std::fill(to, to + run.n, components[c].missing);
+        else
+          copy_run(base + c * apart_from + cell_row + run.local, run,
+                   __builtin_popcount(turned & components[c].odd_axes) % 2 == 1, to);
       }
     }
+  }
+
+  template <class T>
+  static void copy_run(const T* from, const Run& run, bool turn_sign, T* to) {
+    constexpr int short_run = 4;  // for which a call of memcpy costs more than it saves
+    if (run.step == 1 && run.n > short_run)
+      std::memcpy(to, from, static_cast<std::size_t>(run.n) * sizeof(T));
+    else
+      for (int i = 0; i < run.n; ++i) to[i] = from[i * run.step];
+    if constexpr (std::is_same_v<T, double>)
+      for (int i = 0; turn_sign && i < run.n; ++i) to[i] = -to[i];
   }
 
   static constexpr std::size_t longest = 160;  // block and halo along one axis

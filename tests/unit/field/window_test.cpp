@@ -162,6 +162,32 @@ TYPED_TEST(Windows, OtherTypesAreGatheredWithoutSigns) {
 }
 
 /// A window around a part of a block shows the same cells as one around the whole block.
+/// Components that lie one layout apart come as they would one by one.
+TYPED_TEST(Windows, SeveralComponents) {
+  constexpr int dim = TestFixture::dim;
+  using Component = typename Window<dim>::template Component<double>;
+  const auto mesh = make_test_mesh(TestFixture::grid(25, 10, Edge::reflect, Edge::outflow));
+  const auto n = static_cast<std::size_t>(mesh.grid().layout().size());
+  std::vector<std::vector<double>> blocks(static_cast<std::size_t>(mesh.slots()), std::vector<double>(2 * n));
+  for (std::size_t s = 0; s < blocks.size(); ++s)
+    for (std::size_t k = 0; k < 2 * n; ++k) blocks[s][k] = static_cast<double>(1 + s * 2 * n + k);
+  const auto of = [&](std::size_t first) {
+    return [&blocks, first](int s) {
+      return s == 1 ? nullptr : blocks[static_cast<std::size_t>(s)].data() + first;
+    };
+  };
+  for (int s = 0; s < mesh.local(); ++s) {
+    const Window<dim> w(mesh, s, 3);
+    const auto size = static_cast<std::size_t>(w.size());
+    std::vector<double> both(2 * size), one(size), other(size);
+    w.gather(of(0), std::array{Component{-1.0, 1U}, Component{-2.0, 0U}}, Beyond::nothing, both.data());
+    w.gather(of(0), -1.0, Beyond::nothing, one.data(), 1U);
+    w.gather(of(n), -2.0, Beyond::nothing, other.data());
+    one.insert(one.end(), other.begin(), other.end());
+    ASSERT_EQ(both, one) << "block " << s;
+  }
+}
+
 TYPED_TEST(Windows, PartOfABlock) {
   constexpr int dim = TestFixture::dim;
   const auto mesh = make_test_mesh(TestFixture::grid(25, 10, Edge::reflect, Edge::outflow));
