@@ -23,15 +23,15 @@ double Phases<Dim>::prepare_whole_cells(const Stepping& stepping, double until) 
   const double dt = choose_length(stepping, until);
   keep_old();
   carry_surfaces_half(dt);
-  find_surfaces();
+  find_surfaces(0.5 * dt);
   choose_donors_and_ghosts(Cells::whole);
   return dt;
 }
 
 template <int Dim>
-void Phases<Dim>::find_surfaces() {
+void Phases<Dim>::find_surfaces(double ahead) {
   for_each_slot(StepPart::geometry, [&](int slot, Scratch& scratch) {
-    find_geometry(state_, slot, Surfaces::own, PhiAt::midstep, scratch);
+    find_geometry(state_, slot, Surfaces::own, PhiAt::midstep, scratch, ahead);
     for (Body<Dim>& body : state_.bodies)
       if (!body.rigid && body.present(slot)) centre_donors(body.at(slot));
   });

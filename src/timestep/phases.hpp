@@ -32,6 +32,7 @@ class Phases {
   void keep_old();
   /// phi_next = phi half a step on, with the last step's carrier.
   void carry_surfaces_half(double dt);
+  /// @param ahead seconds from now to `when`.
   void cut_cells(Surfaces surfaces, PhiAt when, double ahead = 0);
   void choose_donors_and_ghosts(Cells cells = Cells::cut);
 
@@ -85,8 +86,9 @@ class Phases {
   void for_each_slot(StepPart part, F&& f);  // f(slot, scratch)
   Counters& counters(int slot) { return state_.ledger[static_cast<std::size_t>(slot)].counters; }
   void take_whole_cells();
-  /// Cuts every body by its own mid-step level set, with the donors in the middle of their whole cells.
-  void find_surfaces();
+  /// Cuts every body by its own mid-step level set, `ahead` seconds from now, with the donors in the middle
+  /// of their whole cells.
+  void find_surfaces(double ahead);
   template <class Find>
   void find_ghosts_by(Find&& find);
   void swap_phi();

@@ -160,6 +160,22 @@ TEST_P(GhostFluid, ThreadsAndBlocksGiveTheSameBits) {
   }
 }
 
+/// A rigid body is cut where it is in the middle of the step.
+TEST_P(GhostFluid, AMovingRigidBodyIsCutHalfAStepOn) {
+  constexpr double speed = 200, face = -0.53 * mm;
+  auto c = case_of(domain_of(Geometry::line, vector_of(-4 * mm), vector_of(6 * mm)), 0.1 * mm,
+                   {body_of("bar", box_shape(vector_of(0), vector_of(4 * mm))),
+                    body_of("ram", box_shape(vector_of(-2 * mm), vector_of(face)), vector_of(speed))});
+  c.bodies[1].rigid = true;
+  TestRun<1> run(c, {samples::copper(), samples::copper()});
+  march(run, 1);
+  double nearest = 1;
+  for (const auto& block : run.state.bodies[1].blocks)
+    for (const auto& cut : block.geometry.cuts)
+      nearest = std::min(nearest, std::abs(cut.point[0] - (face + 0.5 * speed * run.state.time)));
+  EXPECT_LT(nearest, 0.01 * speed * run.state.time);
+}
+
 /// A bar on a rigid wall: what the wall gives is nearly what the bar takes.
 TEST_P(GhostFluid, ARigidWallStopsABar) {
   const auto domain =
