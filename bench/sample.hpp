@@ -37,12 +37,12 @@ struct Sample {
       : stepping{.cfl = loaded.contents.time.cfl, .fixed_dt = {}},
         state(make_state<Dim>(loaded.contents, loaded.materials, world)) {
     Engine engine{world, team, {}};
-    settle_start(state, engine);
+    prepare_start(state, engine);
     for (int n = 0; n < first_steps; ++n) advance(state, stepping, 1.0, engine);
   }
 };
 
-/// Pieces that hold matter. A cell that two bodies share counts twice: each of them computes it.
+/// MovesView that hold matter. A cell that two bodies share counts twice: each of them computes it.
 template <int Dim>
 std::int64_t cells_with_matter(const BodyBlock<Dim>& b) {
   return std::count_if(b.volume.begin(), b.volume.end(), [](double v) { return v > 0; });
@@ -74,10 +74,10 @@ Memory memory_of(const State<Dim>& state) {
   for (const Body<Dim>& body : state.bodies)
     for (const BodyBlock<Dim>& b : body.blocks) {
       for (const auto* a : {&b.contents, &b.contents_old, &b.volume, &b.volume_old, &b.phi, &b.phi_next,
-                            &b.carrier, &b.average})
+                            &b.extension_velocity, &b.average})
         m.arrays += bytes_of(*a);
       m.arrays += bytes_of(b.role) + bytes_of(b.contact);
-      for (const Geometry<Dim>* g : {&b.geometry, &b.settled}) {
+      for (const Geometry<Dim>* g : {&b.geometry, &b.end_geometry}) {
         m.arrays += bytes_of(g->kind) + bytes_of(g->index);
         m.lists += bytes_of(g->cuts);
       }

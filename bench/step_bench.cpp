@@ -13,9 +13,9 @@ namespace {
 constexpr double stages = 3;  // of a step
 
 template <int Dim>
-void add_shares(benchmark::State& timer, const Timers<StepPart>& timers, double seconds) {
-  for (int p = 0; p < static_cast<int>(StepPart::count); ++p) {
-    const auto part = static_cast<StepPart>(p);
+void add_shares(benchmark::State& timer, const Timers<StepPhase>& timers, double seconds) {
+  for (int p = 0; p < static_cast<int>(StepPhase::count); ++p) {
+    const auto part = static_cast<StepPhase>(p);
     timer.counters[std::string("% ") + name_of(part)] = 100 * timers.seconds(part) / seconds;
   }
 }

@@ -13,21 +13,23 @@ from pathlib import Path
 LAYERS = (
     ("core",),
     ("parallel", "config"),
-    ("mesh", "material"),
+    ("mesh", "material", "format"),
     ("field",),
+    ("state",),
     ("cutcell", "contact"),
     ("levelset", "dynamics", "boundary"),
-    ("interface", "problem", "output"),
-    ("regrid", "timestep"),
+    ("interface", "problem", "gauge"),
+    ("regrid", "timestep", "record"),
+    ("picture",),
     ("app",),
 )
 LAYER_OF = {folder: number for number, folders in enumerate(LAYERS, start=1) for folder in folders}
 
 # Library, pattern of its headers, folders that may include them.
 FENCES = (
-    ("MPI", re.compile(r"mpi(-ext)?\.h$"), ("parallel", "mesh", "output")),
+    ("MPI", re.compile(r"mpi(-ext)?\.h$"), ("parallel", "mesh", "format")),
     ("p4est", re.compile(r"(p4est|p8est|p6est|sc)(_\w+)?\.h$"), ("mesh",)),
-    ("HDF5", re.compile(r"(hdf5(_hl)?|H5\w*)\.h$"), ("output",)),
+    ("HDF5", re.compile(r"(hdf5(_hl)?|H5\w*)\.h$"), ("format",)),
     ("toml++", re.compile(r"toml(\+\+/.*|\.hpp)$"), ("config",)),
 )
 

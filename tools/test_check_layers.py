@@ -43,7 +43,7 @@ class LayerRule(unittest.TestCase):
     def test_neighbour_in_the_same_layer_is_a_breach(self):
         found = breaches({"src/contact/touch.cpp": '#  include "cutcell/wall.hpp"\n'})
         self.assertEqual(len(found), 1)
-        self.assertIn("contact may not include layer 5 cutcell", found[0])
+        self.assertIn("contact may not include layer 6 cutcell", found[0])
 
     def test_angle_brackets_do_not_hide_our_own_folders(self):
         self.assertEqual(len(breaches({"src/field/halo.hpp": "#include <app/simulation.hpp>\n"})), 1)
@@ -70,12 +70,12 @@ class LayerRule(unittest.TestCase):
 class Fences(unittest.TestCase):
     def test_each_library_only_in_its_folders(self):
         headers = {
-            "mpi.h": {"parallel", "mesh", "output"},
+            "mpi.h": {"parallel", "mesh", "format"},
             "p4est.h": {"mesh"},
             "p8est_extended.h": {"mesh"},
             "sc_containers.h": {"mesh"},
-            "hdf5.h": {"output"},
-            "H5Fpublic.h": {"output"},
+            "hdf5.h": {"format"},
+            "H5Fpublic.h": {"format"},
             "toml++/toml.h": {"config"},
         }
         for header, allowed in headers.items():

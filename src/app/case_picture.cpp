@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "config/read_shape.hpp"
-#include "output/plot.hpp"
+#include "picture/plot.hpp"
 #include "problem/shape.hpp"
 
 namespace recoil::app {

@@ -84,7 +84,7 @@ void check_thickness(LoadedCase& loaded) {
 template <int Dim>
 Vec<Dim> first_components(const config::Vector& v) {
   Vec<Dim> x;
-  for (int d = 0; d < Dim; ++d) x[d] = v[static_cast<std::size_t>(d)];
+  for (int d = 0; d < Dim; ++d) x[d] = v[d];
   return x;
 }
 

@@ -45,7 +45,7 @@ Report look_at(const std::string& file, const std::vector<std::string>& override
     try {
       r.predictions.push_back(predict(pair, r.loaded.contents, r.loaded.materials));
     } catch (const PhysicsError& e) {
-      r.loaded.found.warning(r.loaded.contents.bodies[static_cast<std::size_t>(pair.flyer)].place,
+      r.loaded.found.warning(r.loaded.contents.bodies[pair.flyer].place,
                              fmt::format("no impact state can be predicted: {}", e.what()));
     }
   }
@@ -102,8 +102,8 @@ Json shock_json(const ShockState& s) {
 
 Json prediction_json(const PlatePrediction& p, const config::Case& c) {
   constexpr const char* partings[] = {"flyer-release", "target-release", "neutral", "unknown", "never"};
-  Json j{{"flyer", c.bodies[static_cast<std::size_t>(p.pair.flyer)].name},
-         {"target", c.bodies[static_cast<std::size_t>(p.pair.target)].name},
+  Json j{{"flyer", c.bodies[p.pair.flyer].name},
+         {"target", c.bodies[p.pair.target].name},
          {"contact", p.contact},
          {"closing", p.pair.closing},
          {"interface_velocity", p.velocity},

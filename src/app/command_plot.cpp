@@ -8,8 +8,8 @@
 #include "config/units.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
-#include "output/csv.hpp"
-#include "output/line_chart.hpp"
+#include "format/csv.hpp"
+#include "picture/line_chart.hpp"
 
 namespace recoil::app {
 

@@ -14,7 +14,7 @@
 #include "app/study_table.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
-#include "output/json_files.hpp"
+#include "format/json_files.hpp"
 
 namespace recoil::app {
 

@@ -17,7 +17,7 @@
 #include "app/resolved_case.hpp"
 #include "app/verify_table.hpp"
 #include "core/error.hpp"
-#include "output/json_files.hpp"
+#include "format/json_files.hpp"
 
 namespace recoil::app {
 

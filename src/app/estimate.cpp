@@ -47,7 +47,7 @@ double cells_of_domain(const config::Case& c) {
 }
 
 /// Bytes of one body in one cell of its blocks: contents and volume twice, averages, distances,
-/// carrier, marks.
+/// extension velocity, marks.
 template <int Dim>
 double bytes_of_cell() {
   using C = Components<Dim>;

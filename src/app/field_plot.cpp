@@ -12,10 +12,10 @@
 #include "config/read_shape.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
-#include "output/csv.hpp"
-#include "output/field_picture.hpp"
-#include "output/field_plane.hpp"
-#include "output/line_chart.hpp"
+#include "format/csv.hpp"
+#include "picture/field_picture.hpp"
+#include "picture/field_plane.hpp"
+#include "picture/line_chart.hpp"
 
 namespace recoil::app {
 
@@ -86,9 +86,8 @@ std::array<Span, 2> read_window(const std::string& text, const std::vector<std::
       throw InputError(
           fmt::format("'{}' is no part of a window\n   = help: --window {}=0mm..9mm,{}=0mm..12mm", part,
                       axes[0], axes[1]));
-    window[static_cast<std::size_t>(axis)] = {
-        quantity(part.substr(equals + 1, dots - equals - 1), "m", "--window"),
-        quantity(part.substr(dots + 2), "m", "--window")};
+    window[axis] = {quantity(part.substr(equals + 1, dots - equals - 1), "m", "--window"),
+                    quantity(part.substr(dots + 2), "m", "--window")};
     at = end + 1;
   }
   return window;
@@ -209,15 +208,15 @@ int plot_field_over_time(const PlotOptions& o) {
   const auto put = [&](const PlaneArray& from, int j, std::vector<double>& to) {
     for (int i = 0; i < from.nx; ++i) {
       const int k = static_cast<int>(std::floor((from.x0 + (i + 0.5) * from.dx - picture.x0) / dx));
-      if (k >= 0 && k < picture.nx) to[static_cast<std::size_t>(k + picture.nx * j)] = from.at(i, 0);
+      if (k >= 0 && k < picture.nx) to[k + picture.nx * j] = from.at(i, 0);
     }
   };
   picture.values.assign(static_cast<std::size_t>(picture.nx * picture.ny),
                         std::numeric_limits<double>::quiet_NaN());
   const std::vector<double> nothing = picture.values;
   for (int j = 0; j < picture.ny; ++j) {
-    const FieldPlane plane = field_plane(read_vtkhdf(dumps[static_cast<std::size_t>(j)].path), o.what.front(),
-                                         run_units(c.domain.geometry));
+    const FieldPlane plane =
+        field_plane(read_vtkhdf(dumps[j].path), o.what.front(), run_units(c.domain.geometry));
     picture.label = plane.label;
     signed_values = plane.signed_values;
     put(plane.values, j, picture.values);

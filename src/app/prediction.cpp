@@ -296,9 +296,9 @@ PlatePrediction predict(const PlatePair& pair, const Case& c, const std::vector<
 }
 
 std::string describe(const PlatePrediction& p, const Case& c) {
-  const std::string& flyer = c.bodies[static_cast<std::size_t>(p.pair.flyer)].name;
-  const std::string& target = c.bodies[static_cast<std::size_t>(p.pair.target)].name;
-  const std::string axis = config::axes_of(c.domain.geometry)[static_cast<std::size_t>(p.pair.axis)];
+  const std::string& flyer = c.bodies[p.pair.flyer].name;
+  const std::string& target = c.bodies[p.pair.target].name;
+  const std::string axis = config::axes_of(c.domain.geometry)[p.pair.axis];
   std::string text = fmt::format("  '{}' meets '{}' at {:.4g} us, closing at {:.4g} m/s along {}\n", flyer,
                                  target, p.contact * 1e6, p.pair.closing, axis);
   text += fmt::format("  interface     {:.4g} m/s, {:.4g} GPa\n", p.velocity, p.stress * 1e-9);

@@ -8,8 +8,8 @@
 #include "config/read_shape.hpp"
 #include "config/units.hpp"
 #include "core/build_info.hpp"
+#include "format/csv.hpp"
 #include "material/library.hpp"
-#include "output/csv.hpp"
 
 namespace recoil::app {
 

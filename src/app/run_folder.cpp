@@ -4,7 +4,7 @@
 
 #include "app/resolved_case.hpp"
 #include "core/error.hpp"
-#include "output/json_files.hpp"
+#include "format/json_files.hpp"
 
 namespace recoil::app {
 

@@ -11,9 +11,9 @@
 #include "app/verdict.hpp"
 #include "core/build_info.hpp"
 #include "core/error.hpp"
-#include "output/json_files.hpp"
-#include "output/recorder.hpp"
+#include "format/json_files.hpp"
 #include "problem/start.hpp"
+#include "record/recorder.hpp"
 #include "timestep/schemes.hpp"
 
 namespace recoil::app {
@@ -57,10 +57,10 @@ void tell_news(Reporter& reporter, const std::vector<Event>& news) {
   }
 }
 
-void tell_timers(Reporter& reporter, const Timers<StepPart>& timers, double wall) {
+void tell_timers(Reporter& reporter, const Timers<StepPhase>& timers, double wall) {
   reporter.say("time by part of the step");
-  for (int i = 0; i < static_cast<int>(StepPart::count); ++i) {
-    const auto part = static_cast<StepPart>(i);
+  for (int i = 0; i < static_cast<int>(StepPhase::count); ++i) {
+    const auto part = static_cast<StepPhase>(i);
     reporter.say(fmt::format("  {:<16} {:8.3f} s  {:3.0f} %", name_of(part), timers.seconds(part),
                              wall > 0 ? 100 * timers.seconds(part) / wall : 0));
   }
@@ -101,7 +101,7 @@ int simulate(const LoadedCase& loaded, const SimulationOptions& options, const p
   Engine engine{world, team, {}};
   State<Dim> state = make_state<Dim>(c, loaded.materials, world);
   const Scheme<Dim> scheme = scheme_of<Dim>(c.method.scheme);
-  scheme.settle(state, engine);
+  scheme.prepare(state, engine);
   Recorder<Dim> recorder(c, state, world, options.folder, &team);
   recorder.begin(state);
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "config/units.hpp"
-#include "output/csv.hpp"
-#include "output/line_chart.hpp"
+#include "format/csv.hpp"
+#include "picture/line_chart.hpp"
 
 namespace recoil::app {
 

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "config/units.hpp"
-#include "output/csv.hpp"
+#include "format/csv.hpp"
 
 namespace recoil::app {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/reporter.hpp"
-#include "output/summary.hpp"
+#include "record/summary.hpp"
 
 namespace recoil::app {
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "output/csv.hpp"
+#include "format/csv.hpp"
 
 namespace recoil::app {
 

@@ -146,7 +146,7 @@ struct ValueReader {
       }
       const int before = out.error_count();
       const double c = read_quantity(one, one.key, key.unit, out, key.example);
-      if (out.error_count() == before) v.numbers[static_cast<std::size_t>(axis - axes.begin())] = c;
+      if (out.error_count() == before) v.numbers[axis - axes.begin()] = c;
     }
   }
 

@@ -22,10 +22,10 @@ bool limit_to(Vec<Dim>& traction, double limit) {
 }  // namespace
 
 template <int Dim>
-Grip<Dim> grip(const ShearSide<Dim>& first, const ShearSide<Dim>& second, double limit) {
+ShearContact<Dim> shear_contact(const ShearSide<Dim>& first, const ShearSide<Dim>& second, double limit) {
   const double za = first.impedance, zb = second.impedance;
   const Vec<Dim> va = free_sliding(first, 1), vb = free_sliding(second, -1);
-  Grip<Dim> g{{}, va, vb, va, true};
+  ShearContact<Dim> g{{}, va, vb, va, true};
   if (!(za > 0 && zb > 0)) return g;  // a fluid does not hold
   g.traction = (za * zb / (za + zb)) * (vb - va);
   g.slips = limit_to(g.traction, limit);
@@ -36,9 +36,10 @@ Grip<Dim> grip(const ShearSide<Dim>& first, const ShearSide<Dim>& second, double
 }
 
 template <int Dim>
-Grip<Dim> grip_rigid(const ShearSide<Dim>& body, const Vec<Dim>& wall_velocity, double limit) {
+ShearContact<Dim> shear_contact_rigid(const ShearSide<Dim>& body, const Vec<Dim>& wall_velocity,
+                                      double limit) {
   const Vec<Dim> v = free_sliding(body, 1);
-  Grip<Dim> g{{}, v, wall_velocity, wall_velocity, true};
+  ShearContact<Dim> g{{}, v, wall_velocity, wall_velocity, true};
   if (!(body.impedance > 0)) return g;
   g.traction = body.impedance * (wall_velocity - v);
   g.slips = limit_to(g.traction, limit);
@@ -46,9 +47,9 @@ Grip<Dim> grip_rigid(const ShearSide<Dim>& body, const Vec<Dim>& wall_velocity, 
   return g;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                       \
-  template Grip<Dim> grip<Dim>(const ShearSide<Dim>&, const ShearSide<Dim>&, double); \
-  template Grip<Dim> grip_rigid<Dim>(const ShearSide<Dim>&, const Vec<Dim>&, double);
+#define RECOIL_INSTANTIATE(Dim)                                                                        \
+  template ShearContact<Dim> shear_contact<Dim>(const ShearSide<Dim>&, const ShearSide<Dim>&, double); \
+  template ShearContact<Dim> shear_contact_rigid<Dim>(const ShearSide<Dim>&, const Vec<Dim>&, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -14,7 +14,7 @@ struct ShearSide {
 
 /// The outcome across the normal.
 template <int Dim>
-struct Grip {
+struct ShearContact {
   Vec<Dim> traction;                         // tau* on the first body [Pa]; the second bears its opposite
   Vec<Dim> first_velocity, second_velocity;  // of each wall [m/s]
   Vec<Dim> work_velocity;                    // the one with which tau* works on both
@@ -28,10 +28,11 @@ struct Grip {
 /// (Z_a u_a + Z_b u_b)/(Z_a + Z_b): what friction takes from the motion lands in the internal energy of both,
 /// and energy closes to round-off.
 template <int Dim>
-Grip<Dim> grip(const ShearSide<Dim>& first, const ShearSide<Dim>& second, double limit);
+ShearContact<Dim> shear_contact(const ShearSide<Dim>& first, const ShearSide<Dim>& second, double limit);
 
 /// The same against a rigid wall that moves across e with `wall_velocity`: all heat goes to the body.
 template <int Dim>
-Grip<Dim> grip_rigid(const ShearSide<Dim>& body, const Vec<Dim>& wall_velocity, double limit);
+ShearContact<Dim> shear_contact_rigid(const ShearSide<Dim>& body, const Vec<Dim>& wall_velocity,
+                                      double limit);
 
 }  // namespace recoil

@@ -10,8 +10,8 @@ template <int Dim>
 struct Index {
   std::array<int, Dim> c{};
 
-  constexpr int& operator[](int d) { return c[static_cast<std::size_t>(d)]; }
-  constexpr int operator[](int d) const { return c[static_cast<std::size_t>(d)]; }
+  constexpr int& operator[](int d) { return c[d]; }
+  constexpr int operator[](int d) const { return c[d]; }
   friend constexpr Index operator+(Index a, const Index& b) {
     for (int d = 0; d < Dim; ++d) a[d] += b[d];
     return a;

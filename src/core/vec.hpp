@@ -10,8 +10,8 @@ template <int Dim>
 struct Vec {
   std::array<double, Dim> c{};
 
-  constexpr double& operator[](int d) { return c[static_cast<std::size_t>(d)]; }
-  constexpr double operator[](int d) const { return c[static_cast<std::size_t>(d)]; }
+  constexpr double& operator[](int d) { return c[d]; }
+  constexpr double operator[](int d) const { return c[d]; }
 
   constexpr Vec& operator+=(const Vec& b) {
     for (int d = 0; d < Dim; ++d) (*this)[d] += b[d];

@@ -50,8 +50,7 @@ Clip<2> clip_square(const Corners<2>& v) {
     const auto &a = p[i], &b = p[(i + 1) % n];
     const double cross = a[0] * b[1] - b[0] * a[1];
     area += cross;
-    for (int d = 0; d < 2; ++d)
-      moment[d] += (a[static_cast<std::size_t>(d)] + b[static_cast<std::size_t>(d)]) * cross;
+    for (int d = 0; d < 2; ++d) moment[d] += (a[d] + b[d]) * cross;
   }
   c.fraction = 0.5 * area;
   c.centroid = c.fraction > 1e-10 ? moment * (1 / (6 * c.fraction)) : c.middle;
@@ -65,7 +64,7 @@ void cross_edges(const Corners<3>& v, Clip<3>& c) {
     for (int d = 0; d < 3; ++d) {
       const int other = corner | 1 << d;
       if (other == corner) continue;
-      const double a = v[static_cast<std::size_t>(corner)], b = v[static_cast<std::size_t>(other)];
+      const double a = v[corner], b = v[other];
       if ((a < 0) == (b < 0)) continue;
       for (int e = 0; e < 3; ++e) c.middle[e] += e == d ? a / (a - b) : static_cast<double>(corner >> e & 1);
       ++c.crossings;
@@ -114,7 +113,7 @@ Clip<3> clip<3>(const Corners<3>& v) {
 template <>
 Clip<1> clip_face<1>(const Corners<1>& v, int, int side) {
   Clip<1> c;
-  c.fraction = v[static_cast<std::size_t>(side)] < 0 ? 1 : 0;
+  c.fraction = v[side] < 0 ? 1 : 0;
   c.centroid[0] = side;
   return c;
 }
@@ -133,7 +132,7 @@ Clip<2> clip_face<2>(const Corners<2>& v, int d, int side) {
 template <>
 Clip<3> clip_face<3>(const Corners<3>& v, int d, int side) {
   const int e = d == 0 ? 1 : 0, f = d == 2 ? 1 : 2;
-  const auto at = [&](int a, int b) { return v[static_cast<std::size_t>(side << d | a << e | b << f)]; };
+  const auto at = [&](int a, int b) { return v[side << d | a << e | b << f]; };
   const Clip<2> s = clip_square({at(0, 0), at(1, 0), at(0, 1), at(1, 1)});
   Clip<3> c;
   c.fraction = s.fraction;

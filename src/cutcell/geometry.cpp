@@ -36,7 +36,7 @@ template <int Dim>
 std::array<int, static_cast<std::size_t>(1 << Dim)> around_node(const Window<Dim>& w) {
   std::array<int, static_cast<std::size_t>(1 << Dim)> offset{};
   for (int c = 0; c < 1 << Dim; ++c)
-    for (int d = 0; d < Dim; ++d) offset[static_cast<std::size_t>(c)] -= (c >> d & 1) * w.stride(d);
+    for (int d = 0; d < Dim; ++d) offset[c] -= (c >> d & 1) * w.stride(d);
   return offset;
 }
 
@@ -64,7 +64,7 @@ double rigid_node(const Grid<Dim>& grid, const RigidMotion<Dim>& motion, const R
 template <int Dim>
 Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt when, double ahead,
                   Scratch& scratch) {
-  const Body<Dim>& b = state.bodies[static_cast<std::size_t>(body)];
+  const Body<Dim>& b = state.bodies[body];
   const auto pose = b.rigid ? std::optional(pose_after(*b.rigid, ahead)) : std::nullopt;
   const auto cells = static_cast<std::size_t>(w.size());
   const Box<Dim> nodes = node_box(w.inner());
@@ -87,7 +87,7 @@ Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt
   // Nodes on open edges see bodies continued as the first cells are: all alike.
   const auto at_outflow = [&grid = state.grid()](const Index<Dim>& i) {
     for (int d = 0; d < Dim; ++d) {
-      const auto& edge = grid.edge[static_cast<std::size_t>(d)];
+      const auto& edge = grid.edge[d];
       if ((i[d] == 0 && edge[0] == Edge::outflow) || (i[d] == grid.cells[d] && edge[1] == Edge::outflow))
         return true;
     }
@@ -169,19 +169,18 @@ CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, cons
   for (int d = 0; d < Dim; ++d)
     for (int side = 0; side < 2; ++side) {
       const Clip<Dim> face = clip_face<Dim>(corner, d, side);
-      c.open[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)] =
-          face.fraction * area * (face.fraction > 0 ? radius(face.centroid) : 1);
+      c.open[d][side] = face.fraction * area * (face.fraction > 0 ? radius(face.centroid) : 1);
     }
-  const Clip<Dim> piece = clip<Dim>(corner);
-  c.volume = piece.fraction * volume * radius(piece.centroid);
+  const Clip<Dim> fragment = clip<Dim>(corner);
+  c.volume = fragment.fraction * volume * radius(fragment.centroid);
   for (int d = 0; d < Dim; ++d) {
     const auto e = static_cast<std::size_t>(d);
-    c.centroid[d] = piece.centroid[d] - 0.5;
-    c.point[d] = grid.origin[d] + (i[d] + piece.middle[d]) * grid.dx;
+    c.centroid[d] = fragment.centroid[d] - 0.5;
+    c.point[d] = grid.origin[d] + (i[d] + fragment.middle[d]) * grid.dx;
     c.surface[d] = -(c.open[e][1] - c.open[e][0]);
   }
   if (grid.axisymmetric) {
-    c.plane_area = piece.fraction * volume;
+    c.plane_area = fragment.fraction * volume;
     c.surface[0] += c.plane_area;
   }
   return c;
@@ -192,7 +191,7 @@ void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, G
   const Box<Dim> cells = w.inner(), nodes = node_box(cells);
   std::array<int, static_cast<std::size_t>(1 << Dim)> offset{};
   for (int c = 0; c < 1 << Dim; ++c)
-    for (int d = 0; d < Dim; ++d) offset[static_cast<std::size_t>(c)] += (c >> d & 1) * nodes.stride(d);
+    for (int d = 0; d < Dim; ++d) offset[c] += (c >> d & 1) * nodes.stride(d);
   g.cuts.clear();
   std::fill(g.kind.begin(), g.kind.end(), CellKind::empty);
   std::fill(g.index.begin(), g.index.end(), -1);
@@ -213,7 +212,7 @@ void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, G
       if (kind[c] != CellKind::cut) continue;
       Corners<Dim> corner{};
       for (std::size_t o = 0; o < corner.size(); ++o) corner[o] = p[c + offset[o]];
-      g.index[static_cast<std::size_t>(first + c)] = static_cast<int>(g.cuts.size());
+      g.index[first + c] = static_cast<int>(g.cuts.size());
       g.cuts.push_back(cut_cell(grid, i, first + c, corner));
     }
   });
@@ -248,15 +247,15 @@ void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, S
   const Window<Dim> w(state.mesh, slot, 1, reach);
   std::vector<Nodes> nodes;
   for (int m = 0; m < state.count(); ++m) {
-    const BodyBlock<Dim>& b = state.bodies[static_cast<std::size_t>(m)].at(slot);
+    const BodyBlock<Dim>& b = state.bodies[m].at(slot);
     if (b.present && b.near_surface) nodes.push_back(node_values(state, w, m, when, ahead, scratch));
   }
   const int n = node_box(w.inner()).size();
   if (surfaces == Surfaces::shared && nodes.size() > 1)
     for (int k = 0; k < n; ++k) share_node(nodes, k, state.grid().dx);
   for (const Nodes& m : nodes) {
-    BodyBlock<Dim>& b = state.bodies[static_cast<std::size_t>(m.body)].at(slot);
-    classify(state.grid(), w, m.phi, when == PhiAt::midstep ? b.geometry : b.settled);
+    BodyBlock<Dim>& b = state.bodies[m.body].at(slot);
+    classify(state.grid(), w, m.phi, when == PhiAt::midstep ? b.geometry : b.end_geometry);
     if (when == PhiAt::midstep && !m.rigid) b.matter = matter_box(w, b);
   }
 }
@@ -266,9 +265,7 @@ double open_area(const Grid<Dim>& grid, const Geometry<Dim>& g, int cell, const 
                  int side) {
   const auto k = static_cast<std::size_t>(cell);
   if (g.kind[k] == CellKind::empty) return 0;
-  if (g.kind[k] == CellKind::cut)
-    return g.cuts[static_cast<std::size_t>(g.index[k])]
-        .open[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)];
+  if (g.kind[k] == CellKind::cut) return g.cuts[g.index[k]].open[d][side];
   Index<Dim> face = i;
   face[d] += side;
   return grid.full_area(face, d);
@@ -306,7 +303,7 @@ Vec<Dim> rigid_normal(const Grid<Dim>& grid, const RigidMotion<Dim>& motion, con
   const double half = normal_step * grid.dx;
   Vec<Dim> g;
   for (int d = 0; d < Dim; ++d) {
-    const auto& edge = grid.edge[static_cast<std::size_t>(d)];
+    const auto& edge = grid.edge[d];
     const double lo = grid.origin[d], hi = lo + grid.cells[d] * grid.dx;
     Vec<Dim> low = x, high = x;
     low[d] -= half;

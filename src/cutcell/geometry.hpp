@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scratch.hpp"
-#include "cutcell/body.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 
@@ -15,9 +15,9 @@ enum class Surfaces {
 enum class PhiAt { now, midstep };
 
 /// Finds for all bodies of one block which cells are full, empty or cut, and how. Node values are means of
-/// phi over the 2^Dim cells around. Writes BodyBlock::geometry (midstep) or ::settled (now). Where two bodies
-/// are closer than 0.15 dx, or than 0.5 dx beside cells in contact with each other, the nodes of both take
-/// (phi_m - phi_k)/2 and its negative, so that both are cut by the same surface. Rigid bodies are known
+/// phi over the 2^Dim cells around. Writes BodyBlock::geometry (midstep) or ::end_geometry (now). Where two
+/// bodies are closer than 0.15 dx, or than 0.5 dx beside cells in contact with each other, the nodes of both
+/// take (phi_m - phi_k)/2 and its negative, so that both are cut by the same surface. Rigid bodies are known
 /// exactly: their nodes take the distance itself, which means of phi would round where they are thin or
 /// sharp.
 /// @param ahead seconds from now to `when`.

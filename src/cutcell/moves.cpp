@@ -9,13 +9,13 @@ namespace recoil {
 
 namespace {
 
-constexpr double least_carrier = 0.02;  // part of a cell below which a piece's state carries no volume
+constexpr double least_state_fill = 0.02;  // part of a cell below which a fragment's state carries no volume
 
-/// A window on the settled geometry, volumes and contents of one body.
+/// A window on the end-of-step geometry, volumes and contents of one body.
 template <int Dim>
-class Pieces {
+class MovesView {
  public:
-  Pieces(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
+  MovesView(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
       : grid(state.grid()),
         body_(body),
         window(state.mesh, slot, halo, body.at(slot).reach),
@@ -25,7 +25,7 @@ class Pieces {
     kind = scratch.take<CellKind>(n);
     window.gather([&](int s) { return body.present(s) ? body.at(s).volume.data() : nullptr; }, 0.0,
                   Beyond::nothing, volume);
-    window.gather([&](int s) { return body.present(s) ? body.at(s).settled.kind.data() : nullptr; },
+    window.gather([&](int s) { return body.present(s) ? body.at(s).end_geometry.kind.data() : nullptr; },
                   CellKind::empty, Beyond::nothing, kind);
   }
 
@@ -48,12 +48,12 @@ class Pieces {
     return q;
   }
 
-  /// The settled cut cell there, or null.
+  /// The cut cell of the end-of-step geometry there, or null.
   const CutCell<Dim>* cut(const Index<Dim>& i) const {
     if (kind[window.at(i)] != CellKind::cut) return nullptr;
     const auto from = window.source_inside(i);
-    const auto& g = body_.at(from.slot).settled;
-    return &g.cuts[static_cast<std::size_t>(g.index[static_cast<std::size_t>(from.cell)])];
+    const auto& g = body_.at(from.slot).end_geometry;
+    return &g.cuts[g.index[from.cell]];
   }
 
   /// The neighbour along sign * grad phi, on its main axis; along the next one where the domain ends. i
@@ -64,8 +64,8 @@ class Pieces {
     for (int n = 0; n < Dim; ++n) {
       int axis = -1;
       for (int d = 0; d < Dim; ++d)
-        if (!tried[static_cast<std::size_t>(d)] && (axis < 0 || std::abs(g[d]) > std::abs(g[axis]))) axis = d;
-      tried[static_cast<std::size_t>(axis)] = true;
+        if (!tried[d] && (axis < 0 || std::abs(g[d]) > std::abs(g[axis]))) axis = d;
+      tried[axis] = true;
       Index<Dim> j = i;
       j[axis] += g[axis] * sign > 0 ? 1 : -1;
       if (exists(j)) return j;
@@ -112,14 +112,14 @@ struct Transfer {
   Index<Dim> to{};
   bool any = false;
   double volume = 0;
-  Index<Dim> carrier{};     // whose state the volume takes along ...
+  Index<Dim> state_cell{};  // whose state the volume takes along ...
   double factor = 0;        // ... this much of its contents
   bool everything = false;  // the cell is left with nothing
 };
 
 /// The cells that may send something: own ones and those around them. `may(i)` is cheap.
 template <int Dim, class May>
-int* list_senders(const Pieces<Dim>& p, int& count, Scratch& scratch, May&& may) {
+int* list_senders(const MovesView<Dim>& p, int& count, Scratch& scratch, May&& may) {
   const Box<Dim> box = p.window.inner().grown(1);
   int* cells = scratch.take<int>(static_cast<std::size_t>(box.size()));
   count = 0;
@@ -133,7 +133,7 @@ int* list_senders(const Pieces<Dim>& p, int& count, Scratch& scratch, May&& may)
 /// neighbours send it, in the order of their cells. `decide(i)` must depend on the old state only; only cells
 /// of the list are asked.
 template <int Dim, class Decide>
-void transfer(const Pieces<Dim>& p, BodyBlock<Dim>& b, const int* senders, int count, Scratch& scratch,
+void transfer(const MovesView<Dim>& p, BodyBlock<Dim>& b, const int* senders, int count, Scratch& scratch,
               Decide&& decide) {
   const auto n = static_cast<std::size_t>(p.window.size());
   int* sent = scratch.take_filled<int>(n, -1);
@@ -158,7 +158,7 @@ void transfer(const Pieces<Dim>& p, BodyBlock<Dim>& b, const int* senders, int c
         u.volume = 0;
         u.contents = {};
       } else {
-        add_scaled<Dim>(u.contents, p.contents(own.carrier), -own.factor);
+        add_scaled<Dim>(u.contents, p.contents(own.state_cell), -own.factor);
       }
     }
     Box<Dim> box{i, i};
@@ -167,7 +167,7 @@ void transfer(const Pieces<Dim>& p, BodyBlock<Dim>& b, const int* senders, int c
       const int from = sent[p.window.at(j)];
       if (from < 0 || j == i || !(transfers[from].to == i)) return;
       u.volume += transfers[from].volume;
-      add_scaled<Dim>(u.contents, p.contents(transfers[from].carrier), transfers[from].factor);
+      add_scaled<Dim>(u.contents, p.contents(transfers[from].state_cell), transfers[from].factor);
     });
     b.updates.push_back(u);
   });
@@ -181,13 +181,12 @@ double surface_area(const Grid<Dim>& grid, const CutCell<Dim>& c, const Index<Di
 
 /// Volume that flows from cell i to its upper neighbour along axis d in the tangential exchange.
 template <int Dim>
-double surface_flow(const Pieces<Dim>& p, const Index<Dim>& i, int d, Index<Dim>& source) {
+double surface_flow(const MovesView<Dim>& p, const Index<Dim>& i, int d, Index<Dim>& source) {
   Index<Dim> j = i;
   ++j[d];
   const CutCell<Dim>*a = p.cut(i), *b = p.cut(j);
   if (!a || !b) return 0;
-  const double face =
-      b->open[static_cast<std::size_t>(d)][0] / (p.grid.dx_power(Dim - 1) * p.grid.radius(j[0]));
+  const double face = b->open[d][0] / (p.grid.dx_power(Dim - 1) * p.grid.radius(j[0]));
   if (face <= 1e-9 || (Dim > 1 && face >= 1 - 1e-9)) return 0;
   const double area_a = surface_area(p.grid, *a, i), area_b = surface_area(p.grid, *b, j);
   const double va = p.volume[p.window.at(i)], vb = p.volume[p.window.at(j)];
@@ -203,9 +202,9 @@ template <int Dim>
 void exchange_along_surface(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
-  if (Dim == 1 || b.settled.cuts.empty()) return;  // a point has no tangent
-  const Pieces<Dim> p(state, body, slot, 1, scratch);
-  for (const CutCell<Dim>& cut : b.settled.cuts) {
+  if (Dim == 1 || b.end_geometry.cuts.empty()) return;  // a point has no tangent
+  const MovesView<Dim> p(state, body, slot, 1, scratch);
+  for (const CutCell<Dim>& cut : b.end_geometry.cuts) {
     const Index<Dim> i = p.window.index_of(cut.cell);
     Update<Dim> u{cut.cell, p.volume[p.window.at(i)], p.contents(i)};
     bool changed = false;
@@ -230,11 +229,10 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
   const Grid<Dim>& grid = state.grid();
   const Box<Dim> layout = grid.layout();
   const double face = grid.dx_power(Dim - 1);
-  for (CutCell<Dim>& cut : b.settled.cuts) {
+  for (CutCell<Dim>& cut : b.end_geometry.cuts) {
     const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
     const double area = std::max(norm(cut.surface), 0.3 * face * grid.radius(i[0]));
-    cut.mismatch = std::clamp((b.volume[static_cast<std::size_t>(cut.cell)] - cut.volume) / area,
-                              -0.5 * grid.dx, 0.5 * grid.dx);
+    cut.mismatch = std::clamp((b.volume[cut.cell] - cut.volume) / area, -0.5 * grid.dx, 0.5 * grid.dx);
   }
 }
 
@@ -243,7 +241,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& 
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
-  Pieces<Dim> p(state, body, slot, 2, scratch);
+  MovesView<Dim> p(state, body, slot, 2, scratch);
   const auto gives = [&](const Index<Dim>& i) {
     const int k = p.window.at(i);
     return p.kind[k] == CellKind::empty && p.volume[k] != 0;
@@ -257,7 +255,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& 
     t.to = p.neighbour(i, -1);
     t.any = !(t.to == i);
     t.volume = p.volume[p.window.at(i)];
-    t.carrier = i;
+    t.state_cell = i;
     t.factor = 1;
     t.everything = true;
     return t;
@@ -269,7 +267,7 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& sc
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
-  Pieces<Dim> p(state, body, slot, 3, scratch);
+  MovesView<Dim> p(state, body, slot, 3, scratch);
   const auto excess = [&](const Index<Dim>& i) {
     const int k = p.window.at(i);
     const double e = p.volume[k] - p.full(i);
@@ -286,17 +284,17 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& sc
     if (t.to == i) return t;
     const double there = p.volume[p.window.at(t.to)];
     bool from_own = e > 0 || there < std::max(4 * std::abs(e), 0.3 * p.full(t.to));
-    if (from_own && !(p.volume[p.window.at(i)] > least_carrier * p.full(i))) {
+    if (from_own && !(p.volume[p.window.at(i)] > least_state_fill * p.full(i))) {
       // A cell that the geometry gives to the body before anything of it is there has no state to go by.
-      if (!(there > least_carrier * p.full(t.to))) return t;
+      if (!(there > least_state_fill * p.full(t.to))) return t;
       from_own = false;
       e = std::max(e, -0.5 * there);
     }
     if (e < 0 && from_own && there < -e && p.thin(i)) return t;
     t.any = true;
     t.volume = e;
-    t.carrier = from_own ? i : t.to;
-    t.factor = e / p.volume[p.window.at(t.carrier)];
+    t.state_cell = from_own ? i : t.to;
+    t.factor = e / p.volume[p.window.at(t.state_cell)];
     return t;
   });
 }
@@ -306,7 +304,7 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
-  const Pieces<Dim> p(state, body, slot, 3, scratch);
+  const MovesView<Dim> p(state, body, slot, 3, scratch);
   const auto beyond = [&](const Index<Dim>& i) {
     const int k = p.window.at(i);
     return p.kind[k] == CellKind::cut && (p.volume[k] < 0 || p.volume[k] > p.full(i));
@@ -349,7 +347,7 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   const auto decide = [&](const Index<Dim>& i) {
     Transfer<Dim> t;
     const double v = p.volume[p.window.at(i)], whole = p.full(i), limit = p.thin(i) ? 0.0 : -0.1;
-    t.carrier = i;
+    t.state_cell = i;
     if (v < limit * whole) {
       fullest(i, t);
       t.volume = v;
@@ -372,11 +370,11 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
 }
 
 template <int Dim>
-void average_bad_states(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch) {
+void average_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (b.reach.size() == 0) return;  // nothing is here
-  const Pieces<Dim> p(state, body, slot, 3 * width, scratch);
+  const MovesView<Dim> p(state, body, slot, 3 * width, scratch);
   const auto n = static_cast<std::size_t>(p.window.size());
   auto* role = scratch.take<std::uint8_t>(n);
   p.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
@@ -389,7 +387,8 @@ void average_bad_states(const State<Dim>& state, Body<Dim>& body, int slot, int 
   };
   const auto windows_of = [&](const Index<Dim>& i) {
     int count = 0;
-    for_each(around(i), [&](const Index<Dim>& j) { count += (role[p.window.at(j)] & bad_state) != 0; });
+    for_each(around(i),
+             [&](const Index<Dim>& j) { count += (role[p.window.at(j)] & has_bad_contents) != 0; });
     return count;
   };
   const Box<Dim> inner = p.window.inner();
@@ -399,7 +398,7 @@ void average_bad_states(const State<Dim>& state, Body<Dim>& body, int slot, int 
     if (count == 0) return;
     Update<Dim> u{p.window.cell(i), p.volume[p.window.at(i)], {}};
     for_each(around(i), [&](const Index<Dim>& s) {
-      if ((role[p.window.at(s)] & bad_state) == 0) return;
+      if ((role[p.window.at(s)] & has_bad_contents) == 0) return;
       double volume = 0;
       Contents<Dim> mean{};
       for_each(around(s), [&](const Index<Dim>& j) {
@@ -420,7 +419,7 @@ void average_bad_states(const State<Dim>& state, Body<Dim>& body, int slot, int 
   template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);            \
   template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);              \
   template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&); \
-  template void average_bad_states<Dim>(const State<Dim>&, Body<Dim>&, int, int, Scratch&);
+  template void average_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int, int, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

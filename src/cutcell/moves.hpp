@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/scratch.hpp"
-#include "cutcell/body.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 
 /// Volume moves only with its contents, from one old state; all functions here write BodyBlock::updates and
-/// leave the state as it is. They use the settled geometry (after the step).
+/// leave the state as it is. They use the end-of-step geometry (after the step).
 
 /// Part of the difference of mismatch between neighbours that is exchanged in a step.
 inline constexpr double exchange_rate = 0.05;
@@ -14,11 +14,11 @@ inline constexpr double exchange_rate = 0.05;
 /// Evens out how far phi lags behind V along a body's own surface: between cut cells whose common face is
 /// cut,
 ///   dV = 0.05 (h_i - h_j) |A_i| |A_j|/(|A_i| + |A_j|), h = (V - V_phi)/|A_I|.
-/// Needs the settled geometry with Surfaces::own.
+/// Needs the end-of-step geometry with Surfaces::own.
 template <int Dim>
 void exchange_along_surface(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
 
-/// Sets CutCell::mismatch of the settled geometry, limited to half a cell.
+/// Sets CutCell::mismatch of the end-of-step geometry, limited to half a cell.
 template <int Dim>
 void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot);
 
@@ -37,9 +37,9 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& sc
 template <int Dim>
 void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch);
 
-/// Averages every inadmissible state (Role::bad_state) with the pieces up to `width` cells around,
+/// Averages every inadmissible state (Role::has_bad_contents) with the fragments up to `width` cells around,
 /// conservatively; where windows overlap, each cell is shared evenly between them.
 template <int Dim>
-void average_bad_states(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch);
+void average_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch);
 
 }  // namespace recoil

@@ -10,16 +10,16 @@ namespace recoil {
 
 namespace {
 
-constexpr double target_fill = 0.5;    // pieces below are redistributed, neighbourhoods reach it
+constexpr double target_fill = 0.5;    // fragments below are redistributed, neighbourhoods reach it
 constexpr double member_fill = 0.001;  // least part of a cell that a member fills
 constexpr double merge_fill = 0.02;    // least volume of a neighbourhood
-constexpr double home_fill = 0.3;      // where lone pieces go
+constexpr double home_fill = 0.3;      // where lone fragments go
 constexpr int reach = 8;  // own cells <- neighbourhoods (2) <- members (2) <- their counts (2 + 2)
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
 
-/// One small piece with the cells that it shares with. Members are places in the window, the piece itself
-/// first.
+/// One small fragment with the cells that it shares with. Members are places in the window, the fragment
+/// itself first.
 struct Neighbourhood {
   int cell = 0;
   int first = 0, members = 0;
@@ -68,7 +68,7 @@ class Redistribution {
     return true;
   }
 
-  /// Small pieces whose neighbourhoods may reach an own cell, or be counted by one that does.
+  /// Small fragments whose neighbourhoods may reach an own cell, or be counted by one that does.
   bool find_small() {
     const Box<Dim> inner = window_.inner().grown(reach - 2);
     int count = 0;
@@ -118,8 +118,7 @@ class Redistribution {
       if (subset != 1) s.axis = -1;
       Index<Dim> j = i;
       for (int d = 0; d < Dim; ++d)
-        if ((subset >> d & 1U) != 0)
-          j[axis[static_cast<std::size_t>(d)]] += inward(axis[static_cast<std::size_t>(d)]);
+        if ((subset >> d & 1U) != 0) j[axis[d]] += inward(axis[d]);
       add_member(s, j, sum);
     }
     if (sum >= target) return;
@@ -169,7 +168,7 @@ class Redistribution {
     for (int s = 0; s < smalls_; ++s)
       for (int m = 0; m < small_[s].members; ++m) holders_[fill[members_[small_[s].first + m]]++] = s;
     for (std::size_t k = 0; k < n_; ++k)
-      if (!is_small_[k]) ++shares_[k];  // a piece that is not small is a neighbourhood of its own
+      if (!is_small_[k]) ++shares_[k];  // a fragment that is not small is a neighbourhood of its own
     merged_ = scratch_.take<Merged>(static_cast<std::size_t>(smalls_));
     for (int s = 0; s < smalls_; ++s) merged_[s].known = false;
   }
@@ -184,13 +183,13 @@ class Redistribution {
     return q;
   }
 
-  /// Centroid of a piece, in cells.
+  /// Centroid of a fragment, in cells.
   Vec<Dim> centroid(int k) const {
     const Index<Dim> i = window_.box().index(k);
     Vec<Dim> x;
     for (int d = 0; d < Dim; ++d) x[d] = i[d] + 0.5;
     if (index_[k] < 0) return x;
-    return x + body_.at(window_.source(i).slot).geometry.cuts[static_cast<std::size_t>(index_[k])].centroid;
+    return x + body_.at(window_.source(i).slot).geometry.cuts[index_[k]].centroid;
   }
 
   /// The state that a neighbourhood shares: mean and slope.
@@ -258,7 +257,7 @@ class Redistribution {
     return sum;
   }
 
-  /// The nearest piece above 0.3 of a cell within three cells, or -1.
+  /// The nearest fragment above 0.3 of a cell within three cells, or -1.
   int home_of(int k) const {
     const Index<Dim> i = window_.box().index(k);
     Box<Dim> box{i, i};
@@ -279,20 +278,20 @@ class Redistribution {
 
   void write(BodyBlock<Dim>& block) {
     const Box<Dim> inner = window_.inner();
-    // Lone pieces near enough to be sent to an own cell, or to leave one.
+    // Lone fragments near enough to be sent to an own cell, or to leave one.
     int lone = 0;
     int* lone_cell = scratch_.take<int>(static_cast<std::size_t>(smalls_));
     int* lone_home = scratch_.take<int>(static_cast<std::size_t>(smalls_));
     for (int s = 0; s < smalls_; ++s) {
       const Index<Dim> i = window_.box().index(small_[s].cell);
       if (!inner.grown(3).contains(i) || merged(s).possible) continue;
-      if (inner.contains(i)) ++counters_.unmerged_pieces;
+      if (inner.contains(i)) ++counters_.unmerged_fragments;
       if (!small_[s].alone) continue;
       const int home = home_of(small_[s].cell);
       if (home < 0) continue;
       lone_cell[lone] = small_[s].cell;
       lone_home[lone++] = home;
-      if (inner.contains(i)) ++counters_.lone_pieces_moved;
+      if (inner.contains(i)) ++counters_.lone_fragments_moved;
     }
     for_each(inner, [&](const Index<Dim>& i) {
       const int k = window_.at(i);

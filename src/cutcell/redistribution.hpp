@@ -1,15 +1,15 @@
 #pragma once
 
 #include "core/scratch.hpp"
-#include "cutcell/body.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 
-/// State redistribution (Berger & Giuliani 2021) of the small pieces of one block: every piece below half a
-/// cell shares its contents with a neighbourhood that reaches half a cell, so that a step is stable whatever
-/// the size of a piece. Volumes stay. All neighbourhoods are formed from one old state, and each cell sums
-/// its shares in a fixed order: no block or rank sees another's result. Writes BodyBlock::updates. A piece
-/// that finds no neighbourhood goes, with its volume, to the nearest piece above 0.3 of a cell.
+/// State redistribution (Berger & Giuliani 2021) of the small fragments of one block: every fragment below
+/// half a cell shares its contents with a neighbourhood that reaches half a cell, so that a step is stable
+/// whatever the size of a fragment. Volumes stay. All neighbourhoods are formed from one old state, and each
+/// cell sums its shares in a fixed order: no block or rank sees another's result. Writes BodyBlock::updates.
+/// A fragment that finds no neighbourhood goes, with its volume, to the nearest fragment above 0.3 of a cell.
 template <int Dim>
 void redistribute(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch);
 

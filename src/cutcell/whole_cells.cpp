@@ -57,7 +57,7 @@ void for_each_place(const State<Dim>& state, int slot, F&& f) {
 }  // namespace
 
 template <int Dim>
-void take_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
+void to_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
   if (!b.near_surface) return;
   for_each_place(state, slot, [&](std::size_t k, double full) {
@@ -78,13 +78,13 @@ void centre_donors(BodyBlock<Dim>& b) {
 }
 
 template <int Dim>
-void show_pieces(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
+void to_cut_cells(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
   if (!b.near_surface) return;
   for_each_place(state, slot, [&](std::size_t k, double full) {
-    const CellKind kind = b.settled.kind[k];
+    const CellKind kind = b.end_geometry.kind[k];
     double part = kind == CellKind::full ? full : 0;
-    if (kind == CellKind::cut) part = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])].volume;
+    if (kind == CellKind::cut) part = b.end_geometry.cuts[b.end_geometry.index[k]].volume;
     if (b.phi[k] < 0) part = std::max(part, least_shown * full);
     if (!(part > 0)) return empty(b, k);
     if (b.volume[k] > 0) {
@@ -98,10 +98,10 @@ void show_pieces(const State<Dim>& state, Body<Dim>& body, int slot, Counters& c
   });
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                       \
-  template void take_whole_cells<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&); \
-  template void centre_donors<Dim>(BodyBlock<Dim>&);                                  \
-  template void show_pieces<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);
+#define RECOIL_INSTANTIATE(Dim)                                                     \
+  template void to_whole_cells<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&); \
+  template void centre_donors<Dim>(BodyBlock<Dim>&);                                \
+  template void to_cut_cells<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

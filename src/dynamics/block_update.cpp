@@ -111,8 +111,8 @@ bool complete(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step) {
 
 /// Nothing passes closed faces; those whose stencil lacks values are done on their own.
 template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
-void mend_faces(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
-                Counters& counters) {
+void replace_inadmissible_faces(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+                                Counters& counters) {
   using C = Components<Dim>;
   const std::ptrdiff_t step = w.window.stride(Axis);
   Box<Dim> rows = out.box;
@@ -179,7 +179,7 @@ void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Di
     solve_along_rows<Dim, Shear>(eos, g, w, out, counters);
   else
     solve_across_rows<Dim, Axis, Shear>(eos, g, w, out, counters);
-  mend_faces<Dim, Axis, Shear, Scheme>(eos, g, w, out, counters);
+  replace_inadmissible_faces<Dim, Axis, Shear, Scheme>(eos, g, w, out, counters);
 
   const std::ptrdiff_t next = faces.stride(Axis);
   Box<Dim> cell_rows = w.cells;
@@ -239,7 +239,7 @@ void add_walls(BodyBlock<Dim>& b, Work<Dim>& w, double dt) {
         w.gradient[(row * Dim + static_cast<std::size_t>(e)) * w.n + k] += wall.stretching[row][e];
     }
     w.rate[C::energy * w.n + k] += wall.power;
-    b.volume[static_cast<std::size_t>(cell)] += dt * wall.volume_rate;
+    b.volume[cell] += dt * wall.volume_rate;
   }
 }
 
@@ -257,7 +257,7 @@ void borrow_wall_values(const BodyBlock<Dim>& b, Work<Dim>& w) {
 }
 
 /// Takes the widening of a cell off both r-columns of the gradient and the hoop stress off the radial force
-/// (theory: axisymmetry); the divergence keeps the raw r-weighted sums. `plane`: area of the piece in the
+/// (theory: axisymmetry); the divergence keeps the raw r-weighted sums. `plane`: area of the fragment in the
 /// (r, z) plane.
 template <int Dim>
 [[gnu::always_inline]] inline void take_off_widening(const double* value, std::size_t wide, double ur,
@@ -280,7 +280,7 @@ void axisymmetric_cut(const Wall<Dim>& wall, const CutCell<Dim>& cut, Work<Dim>&
   const double dx = w.grid.dx;
   double ur = value[C::u * w.wide], uz = value[(C::u + 1) * w.wide];
   const auto wide_open = [&](int side) {
-    return cut.open[0][static_cast<std::size_t>(side)] > 0.3 * w.grid.face_radius(i[0] + side) * dx;
+    return cut.open[0][side] > 0.3 * w.grid.face_radius(i[0] + side) * dx;
   };
   if ((i[0] == 0 || wide_open(0)) && wide_open(1)) {
     ur = w.radial[k];
@@ -314,12 +314,12 @@ void axisymmetric_sources(const BodyBlock<Dim>& b, Work<Dim>& w) {
       for (int i = 0; i < count; ++i) {
         const bool full = w.whole ? !w.role || (w.role[at + i] & regular) != 0
                                   : b.geometry.kind[cell + static_cast<std::size_t>(i)] == CellKind::full;
-        plane[static_cast<std::size_t>(i)] = full ? area : 0;
+        plane[i] = full ? area : 0;
       }
 #pragma omp simd
       for (int i = 0; i < count; ++i)
-        take_off_widening<Dim>(value + i, w.wide, ur[i], uz[i], plane[static_cast<std::size_t>(i)],
-                               w.gradient + k + i, w.rate + k + i, w.n);
+        take_off_widening<Dim>(value + i, w.wide, ur[i], uz[i], plane[i], w.gradient + k + i, w.rate + k + i,
+                               w.n);
     }
   });
   if (w.whole) return;
@@ -327,7 +327,8 @@ void axisymmetric_sources(const BodyBlock<Dim>& b, Work<Dim>& w) {
     axisymmetric_cut(b.walls[m], b.geometry.cuts[m], w);
 }
 
-/// 2 G dev D + W S - S W of one cell, integrated over the piece. L[(i * Dim + j) * n]: integral of du_i/dx_j.
+/// 2 G dev D + W S - S W of one cell, integrated over the fragment. L[(i * Dim + j) * n]: integral of
+/// du_i/dx_j.
 template <int Dim>
 [[gnu::always_inline]] inline void stress_rate(double g, double trace, const double* value, std::size_t wide,
                                                const double* L, double* rate, std::size_t n) {
@@ -338,10 +339,10 @@ template <int Dim>
   for (int i = 0; i < Dim; ++i)
     for (int j = 0; j < Dim; ++j) {
       const int c = C::stress(i, j);
-      full[static_cast<std::size_t>(i * Dim + j)] = c >= 0 ? value[static_cast<std::size_t>(C::s + c) * wide]
-                                                           : -(value[C::s * wide] + value[(C::s + 1) * wide]);
+      full[i * Dim + j] = c >= 0 ? value[static_cast<std::size_t>(C::s + c) * wide]
+                                 : -(value[C::s * wide] + value[(C::s + 1) * wide]);
     }
-  const auto at = [](const auto& m, int i, int j) { return m[static_cast<std::size_t>(i * Dim + j)]; };
+  const auto at = [](const auto& m, int i, int j) { return m[i * Dim + j]; };
   for (int i = 0; i < Dim; ++i)
     for (int j = i; j < Dim; ++j) {
       const int c = C::stress(i, j);
@@ -407,7 +408,7 @@ void drop_outside(Work<Dim>& w) {
 
 template <int Dim, bool Shear, class Scheme, class EosModel>
 void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, Cells cells, double dt,
-            double share, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+            double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
   const double g = shear_modulus(body.material);
@@ -419,7 +420,7 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
   w.rate = scratch.take_filled<double>(w.n * C::contents, 0);
   w.gradient = scratch.take_filled<double>(w.n * Dim * Dim, 0);
   w.radial = scratch.take_filled<double>(state.grid().axisymmetric ? w.n * 2 : 1, 0);
-  const double booked = share * dt;
+  const double booked = weight * dt;
   sweep<Dim, 0, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
   if constexpr (Dim > 1)
     sweep<Dim, 1, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
@@ -432,15 +433,15 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
 }
 
 template <class Scheme, int Dim>
-void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, double dt, double share,
+void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, double dt, double weight,
                  Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   if (body.at(slot).matter.size() == 0) return;
   std::visit(
       [&](const auto& eos) {
         if (has_strength(body.material.strength))
-          update<Dim, true, Scheme>(state, eos, body, slot, cells, dt, share, edges, counters, scratch);
+          update<Dim, true, Scheme>(state, eos, body, slot, cells, dt, weight, edges, counters, scratch);
         else
-          update<Dim, false, Scheme>(state, eos, body, slot, cells, dt, share, edges, counters, scratch);
+          update<Dim, false, Scheme>(state, eos, body, slot, cells, dt, weight, edges, counters, scratch);
       },
       body.material.eos);
 }
@@ -448,18 +449,18 @@ void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells
 }  // namespace
 
 template <int Dim>
-void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt, double share,
+void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt, double weight,
                   Account<Dim>& edges, Counters& counters, Scratch& scratch) {
-  update_with<WenoHllc>(state, body, slot, Cells::cut, dt, share, edges, counters, scratch);
+  update_with<WenoHllc>(state, body, slot, Cells::cut, dt, weight, edges, counters, scratch);
 }
 
 template <int Dim>
 void update_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, FaceScheme scheme, double dt,
-                        double share, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+                        double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   if (scheme == FaceScheme::eno_llf)
-    update_with<EnoLlf>(state, body, slot, Cells::whole, dt, share, edges, counters, scratch);
+    update_with<EnoLlf>(state, body, slot, Cells::whole, dt, weight, edges, counters, scratch);
   else
-    update_with<WenoHllc>(state, body, slot, Cells::whole, dt, share, edges, counters, scratch);
+    update_with<WenoHllc>(state, body, slot, Cells::whole, dt, weight, edges, counters, scratch);
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                         \

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cutcell/body.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "cutcell/body.hpp"
 #include "dynamics/flux.hpp"
+#include "state/body.hpp"
 
 namespace recoil::detail {
 

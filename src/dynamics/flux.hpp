@@ -111,7 +111,7 @@ void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, 
   };
   plain(C::rho, 1e-6 * eos.rho0 * eos.rho0);
   plain(C::ep, 1e-12);
-  plain(C::heat, 1e-6);
+  plain(C::temperature_rise, 1e-6);
   if constexpr (EosModel::barotropic) plain(C::extra, 1e-2);
 
   const double* z = in.impedance + in.first;

@@ -26,18 +26,18 @@ CellFlux<Dim> cell_flux(const EosModel& eos, const Row<Dim>& in, std::ptrdiff_t 
   CellFlux<Dim> f;
   f.contents[C::rho] = rho;
   for (int d = 0; d < Dim; ++d) {
-    f.contents[static_cast<std::size_t>(C::u + d)] = rho * value(C::u + d);
+    f.contents[C::u + d] = rho * value(C::u + d);
     energy += 0.5 * value(C::u + d) * value(C::u + d);
   }
   f.contents[C::energy] = rho * energy;
-  for (int c = C::s; c < C::contents; ++c) f.contents[static_cast<std::size_t>(c)] = rho * value(c);
+  for (int c = C::s; c < C::contents; ++c) f.contents[c] = rho * value(c);
   for (std::size_t c = 0; c < f.flux.size(); ++c) f.flux[c] = u * f.contents[c];
   f.flux[C::u + Axis] -= in.stress[at];
   f.flux[C::energy] -= in.stress[at] * u;
   for (int t = 0; t < Dim && Shear; ++t) {
     if (t == Axis) continue;
     const double tau = value(C::s + C::stress(Axis, t));
-    f.flux[static_cast<std::size_t>(C::u + t)] -= tau;
+    f.flux[C::u + t] -= tau;
     f.flux[C::energy] -= tau * value(C::u + t);
   }
   f.speed = std::abs(u) + in.impedance[at] / rho;
@@ -55,8 +55,7 @@ int face_fluxes_llf(const EosModel& eos, double /*shear_modulus*/, const Row<Dim
   for (int i = 0; i < in.count; ++i) {
     std::array<CellFlux<Dim>, 6> cell;  // three on each side
     for (int k = 0; k < 6; ++k)
-      cell[static_cast<std::size_t>(k)] =
-          cell_flux<Dim, Axis, Shear>(eos, in, in.first + i + (k - 3) * in.step);
+      cell[k] = cell_flux<Dim, Axis, Shear>(eos, in, in.first + i + (k - 3) * in.step);
     const double a = std::max(cell[2].speed, cell[3].speed);
     const auto to = static_cast<std::size_t>(out.first + i);
     for (std::size_t c = 0; c < C::contents; ++c) {

@@ -10,7 +10,7 @@ namespace recoil {
 
 namespace {
 
-/// One cell: contents q (distance n between components) of a piece of volume v.
+/// One cell: contents q (distance n between components) of a fragment of volume v.
 template <int Dim, class StrengthModel>
 void return_cell(const StrengthModel& strength, const TemperatureLaw& law, double* q, std::size_t n, double v,
                  double dt) {
@@ -22,7 +22,7 @@ void return_cell(const StrengthModel& strength, const TemperatureLaw& law, doubl
   double kinetic = 0;
   for (std::size_t d = 0; d < Dim; ++d) kinetic += q[(C::u + d) * n] * q[(C::u + d) * n];
   const double e = (q[C::energy * n] - 0.5 * kinetic / mass) / mass;
-  const double temperature = law(rho, e, q[C::heat * n] / mass);
+  const double temperature = law(rho, e, q[C::temperature_rise * n] / mass);
   const double trial = std::sqrt(trial2);
   const double increment = plastic_increment(strength, trial, ep, temperature, dt);
   if (!(increment > 0)) return;
@@ -30,7 +30,7 @@ void return_cell(const StrengthModel& strength, const TemperatureLaw& law, doubl
   const double scale = left > 0 ? left : 0.0;
   for (std::size_t c = C::s; c < C::ep; ++c) q[c * n] *= scale;
   q[C::ep * n] = mass * (ep + increment);
-  q[C::heat * n] += mass * plastic_heating(law.thermal(), scale * trial, increment, rho);
+  q[C::temperature_rise * n] += mass * plastic_heating(law.thermal(), scale * trial, increment, rho);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
 }
 
 template <int Dim>
-void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double old_part) {
+void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double old_weight) {
   BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> layout = state.grid().layout();
   const auto n = static_cast<std::size_t>(layout.size());
@@ -64,7 +64,7 @@ void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double
     const auto first = static_cast<std::size_t>(layout.at(i - state.mesh.block(slot).cells.lo));
     const auto mix = [&](double* now, const double* old) {
 #pragma omp simd
-      for (std::size_t k = 0; k < width; ++k) now[k] += old_part * (old[k] - now[k]);
+      for (std::size_t k = 0; k < width; ++k) now[k] += old_weight * (old[k] - now[k]);
     };
     for (std::size_t c = 0; c < Components<Dim>::contents; ++c)
       mix(b.contents.data() + c * n + first, b.contents_old.data() + c * n + first);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cutcell/body.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 
@@ -10,11 +10,11 @@ namespace recoil {
 template <int Dim>
 void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt);
 
-/// The convex combination of a Runge-Kutta stage (Shu & Osher 1988): Q, V = old_part (Q, V)_old + (1 -
-/// old_part) (Q, V), in the cells of BodyBlock::reach; exact where nothing has changed, and nothing has
+/// The convex combination of a Runge-Kutta stage (Shu & Osher 1988): Q, V = old_weight (Q, V)_old + (1 -
+/// old_weight) (Q, V), in the cells of BodyBlock::reach; exact where nothing has changed, and nothing has
 /// beyond.
 template <int Dim>
-void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double old_part);
+void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double old_weight);
 
 /// Equivalent stress squared, 3/2 S:S [Pa^2].
 template <int Dim>

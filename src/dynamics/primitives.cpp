@@ -164,7 +164,7 @@ bool inadmissible(const Material& material, const Contents<Dim>& q, double volum
 }
 
 template <int Dim>
-std::int64_t mark_bad_states(const State<Dim>& state, Body<Dim>& body, int slot) {
+std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot) {
   BodyBlock<Dim>& b = body.at(slot);
   std::int64_t count = 0;
   const Grid<Dim>& grid = state.grid();
@@ -189,12 +189,12 @@ std::int64_t mark_bad_states(const State<Dim>& state, Body<Dim>& body, int slot)
           int any = 0;
 #pragma omp simd reduction(| : any)
           for (int c = 0; c < width; ++c) {
-            role[c] &= static_cast<std::uint8_t>(~bad_state);
+            role[c] &= static_cast<std::uint8_t>(~has_bad_contents);
             any |= is_bad(i, k, c) ? 1 : 0;
           }
           for (int c = 0; any != 0 && c < width; ++c) {
             if (!is_bad(i, k, c)) continue;
-            role[c] |= bad_state;
+            role[c] |= has_bad_contents;
             ++count;
           }
         });
@@ -204,24 +204,24 @@ std::int64_t mark_bad_states(const State<Dim>& state, Body<Dim>& body, int slot)
 }
 
 template <int Dim>
-bool has_bad_state(const BodyBlock<Dim>& b) {
+bool has_inadmissible(const BodyBlock<Dim>& b) {
   for (const std::uint8_t r : b.role)
-    if ((r & bad_state) != 0) return true;
+    if ((r & has_bad_contents) != 0) return true;
   return false;
 }
 
 template <int Dim>
-void clear_bad_states(BodyBlock<Dim>& b) {
-  for (std::uint8_t& r : b.role) r &= static_cast<std::uint8_t>(~bad_state);
+void clear_inadmissible(BodyBlock<Dim>& b) {
+  for (std::uint8_t& r : b.role) r &= static_cast<std::uint8_t>(~has_bad_contents);
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                             \
   template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);           \
   template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);     \
   template double fastest_signal<Dim>(const State<Dim>&, const Body<Dim>&, int, Counters&); \
-  template std::int64_t mark_bad_states<Dim>(const State<Dim>&, Body<Dim>&, int);           \
-  template bool has_bad_state<Dim>(const BodyBlock<Dim>&);                                  \
-  template void clear_bad_states<Dim>(BodyBlock<Dim>&);                                     \
+  template std::int64_t mark_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int);         \
+  template bool has_inadmissible<Dim>(const BodyBlock<Dim>&);                               \
+  template void clear_inadmissible<Dim>(BodyBlock<Dim>&);                                   \
   template bool inadmissible<Dim>(const Material&, const Contents<Dim>&, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "core/scratch.hpp"
-#include "cutcell/body.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 
-/// Least part of a whole cell that a piece must fill to take part in fits, and to stand in stencils itself.
+/// Least part of a whole cell that a fragment must fill to take part in fits, and to stand in stencils
+/// itself.
 inline constexpr double donor_fill = 0.3, regular_fill = 0.5;
 /// Wave speeds use at least this part of c0^2; states below are counted, and inadmissible below
 /// admissible_sound.
@@ -32,7 +33,7 @@ Primitives<Dim> to_primitives(const EosModel& eos, const Contents<Dim>& q, doubl
   return w;
 }
 
-/// Chooses what every piece of a block is good for (Role), from its volume. Once a step.
+/// Chooses what every fragment of a block is good for (Role), from its volume. Once a step.
 template <int Dim>
 void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 
@@ -41,7 +42,7 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
 template <int Dim>
 void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 
-/// Largest sum over axes of (|u_d| + c_L)/dx [1/s] over pieces of at least half a cell.
+/// Largest sum over axes of (|u_d| + c_L)/dx [1/s] over fragments of at least half a cell.
 template <int Dim>
 double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, Counters& counters);
 
@@ -50,14 +51,14 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
 template <int Dim>
 bool inadmissible(const Material& material, const Contents<Dim>& contents, double volume);
 
-/// Marks (Role::bad_state) the pieces of a block above 0.02 of a cell whose state is inadmissible. @returns
-/// how many.
+/// Marks (Role::has_bad_contents) the fragments of a block above 0.02 of a cell whose state is inadmissible.
+/// @returns how many.
 template <int Dim>
-std::int64_t mark_bad_states(const State<Dim>& state, Body<Dim>& body, int slot);
+std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot);
 template <int Dim>
-bool has_bad_state(const BodyBlock<Dim>& block);
+bool has_inadmissible(const BodyBlock<Dim>& block);
 template <int Dim>
-void clear_bad_states(BodyBlock<Dim>& block);
+void clear_inadmissible(BodyBlock<Dim>& block);
 
 /// The contents of one cell.
 template <int Dim>

@@ -20,8 +20,8 @@ struct Components {
   static constexpr int energy = p;
   static constexpr int s = 2 + Dim;
   static constexpr int ep = s + stresses;
-  static constexpr int heat = ep + 1;
-  static constexpr int contents = heat + 1;
+  static constexpr int temperature_rise = ep + 1;
+  static constexpr int contents = temperature_rise + 1;
   static constexpr int extra = contents;
   static constexpr int primitives = contents + 1;
 

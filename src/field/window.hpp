@@ -54,12 +54,12 @@ class Window {
     Index<Dim> offset, local;
     unsigned flips = 0;
     for (int d = 0; d < Dim; ++d) {
-      const Axis a = axis_[static_cast<std::size_t>(d)][static_cast<std::size_t>(i[d] - box_.lo[d])];
+      const Axis a = axis_[d][i[d] - box_.lo[d]];
       offset[d] = a.offset;
       local[d] = a.local;
       flips |= static_cast<unsigned>(a.flip) << d;
     }
-    return {slots_[static_cast<std::size_t>(around().at(offset))], layout_.at(local), flips};
+    return {slots_[around().at(offset)], layout_.at(local), flips};
   }
   /// Where point x of the source cell of index i appears: mirrored or moved by a period as the cell is.
   Vec<Dim> appear(const Index<Dim>& i, const Source& from, const Vec<Dim>& x) const {
@@ -73,7 +73,7 @@ class Window {
   /// As source(), but nothing (slot -1) beyond an edge that is not periodic.
   Source source_inside(const Index<Dim>& i) const {
     for (int d = 0; d < Dim; ++d)
-      if (axis_[static_cast<std::size_t>(d)][static_cast<std::size_t>(i[d] - box_.lo[d])].outside) return {};
+      if (axis_[d][i[d] - box_.lo[d]].outside) return {};
     return source(i);
   }
 
@@ -128,7 +128,7 @@ class Window {
       return {0, g - block.cells.lo[d], false, false, false};
     const Grid<Dim>& grid = mesh_.grid();
     const int n = grid.cells[d], nb = grid.block[d];
-    const auto& edge = grid.edge[static_cast<std::size_t>(d)];
+    const auto& edge = grid.edge[d];
     Axis a{};
     if (edge[0] == Edge::periodic) {
       int wrapped = g % n;
@@ -158,14 +158,13 @@ class Window {
   void map_axis(const Block<Dim>& block, int d) {
     const int n = box_.extent(d);
     const auto axis = static_cast<std::size_t>(d);
-    for (int i = 0; i < n; ++i)
-      axis_[axis][static_cast<std::size_t>(i)] = map_index(block, d, box_.lo[d] + i);
+    for (int i = 0; i < n; ++i) axis_[axis][i] = map_index(block, d, box_.lo[d] + i);
     if (d != 0) return;
     runs_ = 0;
     for (int i = 0; i < n; ++i) {
-      const Axis a = axis_[0][static_cast<std::size_t>(i)];
+      const Axis a = axis_[0][i];
       if (runs_ > 0) {
-        Run& run = run_[static_cast<std::size_t>(runs_ - 1)];
+        Run& run = run_[runs_ - 1];
         const int step = a.local - (run.local + (run.n - 1) * run.step);
         if (a.offset == run.offset && a.flip == run.flip && a.outside == run.outside && a.open == run.open &&
             step >= -1 && step <= 1 && (run.n == 1 || step == run.step)) {
@@ -174,7 +173,7 @@ class Window {
           continue;
         }
       }
-      run_[static_cast<std::size_t>(runs_++)] = {i, 1, a.offset, a.local, 1, a.flip, a.outside, a.open};
+      run_[runs_++] = {i, 1, a.offset, a.local, 1, a.flip, a.outside, a.open};
     }
   }
 
@@ -185,7 +184,7 @@ class Window {
     bool outside = false, open = false;
     unsigned flips = 0;
     for (int d = 1; d < Dim; ++d) {
-      const Axis& a = axis_[static_cast<std::size_t>(d)][static_cast<std::size_t>(row[d] - box_.lo[d])];
+      const Axis& a = axis_[d][row[d] - box_.lo[d]];
       block_row += (a.offset + 1) * block_stride;
       cell_row += a.local * cell_stride;
       block_stride *= 3;
@@ -197,8 +196,8 @@ class Window {
     const auto apart_from = static_cast<std::size_t>(layout_.size()),
                apart = static_cast<std::size_t>(size());
     for (int r = 0; r < runs_; ++r) {
-      const Run& run = run_[static_cast<std::size_t>(r)];
-      const T* base = from[static_cast<std::size_t>(block_row + run.offset + 1)];
+      const Run& run = run_[r];
+      const T* base = from[block_row + run.offset + 1];
       const bool nothing = base == nullptr || (beyond == Beyond::nothing && (outside || run.outside)) ||
                            (beyond == Beyond::mirror && (open || run.open));
       const unsigned turned = flips | (run.flip ? 1U : 0U);

@@ -8,13 +8,13 @@ namespace recoil {
 
 /// Calls find(view, body, opposite, cut cell, its index, wall) for the wall of every cut cell of a block,
 /// with the wall empty but for its fit and its normal, and adds its velocity to the mean of the step.
-/// @param share part of a whole step that this stage stands for; 0: nothing is recorded.
+/// @param weight part of a whole step that this stage stands for; 0: nothing is recorded.
 template <int Dim, class Find>
-void for_each_ghost_wall(State<Dim>& state, int slot, double share, Scratch& scratch, Find&& find) {
-  if (share > 0) clear_records(state, slot);
+void for_each_ghost_wall(State<Dim>& state, int slot, double weight, Scratch& scratch, Find&& find) {
+  if (weight > 0) clear_records(state, slot);
   const SurfaceView<Dim> v = view_surfaces(state, slot, PhiAt::midstep, scratch);
   for (int m = 0; m < state.count(); ++m) {
-    Body<Dim>& body = state.bodies[static_cast<std::size_t>(m)];
+    Body<Dim>& body = state.bodies[m];
     if (body.rigid || !body.present(slot)) continue;
     BodyBlock<Dim>& b = body.at(slot);
     for (std::size_t k = 0; k < b.walls.size(); ++k) {
@@ -25,7 +25,7 @@ void for_each_ghost_wall(State<Dim>& state, int slot, double share, Scratch& scr
       w.partners = 0;
       w.traction = 0;
       find(v, m, w.donors > 0 ? find_opposite(v, m, cut.point, i) : Opposite<Dim>{}, cut, i, w);
-      w.mean_velocity += share * w.velocity;
+      w.mean_velocity += weight * w.velocity;
     }
   }
 }

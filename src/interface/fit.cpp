@@ -113,16 +113,16 @@ int collect(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w
     const BodyBlock<Dim>& home = body.at(from.slot);
     Vec<Dim> x;
     for (int d = 0; d < Dim; ++d) x[d] = i[d] - at[d];
-    const int cut = home.geometry.index[static_cast<std::size_t>(from.cell)];
+    const int cut = home.geometry.index[from.cell];
     if (cut >= 0) {
-      const Vec<Dim>& centroid = home.geometry.cuts[static_cast<std::size_t>(cut)].centroid;
+      const Vec<Dim>& centroid = home.geometry.cuts[cut].centroid;
       for (int d = 0; d < Dim; ++d) x[d] += (from.flips >> d & 1U) != 0 ? -centroid[d] : centroid[d];
     }
     const double across = dot(x, reach.normal), across2 = across * across,
                  along2 = std::max(0.0, dot(x, x) - across2);
     if (!reach.holds(x, across2, along2)) return;
     const Index<Dim> home_cell = state.mesh.block(from.slot).cells.lo + grid.layout().index(from.cell);
-    const double fill = home.volume[static_cast<std::size_t>(from.cell)] / grid.full_volume(home_cell);
+    const double fill = home.volume[from.cell] / grid.full_volume(home_cell);
     donors.push_back(
         {from.slot, from.cell, from.flips, reach.weight(across2, along2) * std::min(fill, 1.0), x});
   });
@@ -140,23 +140,22 @@ void solve(Wall<Dim>& wall, std::vector<Donor<Dim>>& donors) {
     total += it->weight;
     for (int d = 0; d < Dim; ++d) {
       first[d] += it->weight * it->slope_weight[d];
-      for (int e = d; e < Dim; ++e)
-        second[static_cast<std::size_t>(d)][e] += it->weight * it->slope_weight[d] * it->slope_weight[e];
+      for (int e = d; e < Dim; ++e) second[d][e] += it->weight * it->slope_weight[d] * it->slope_weight[e];
     }
   }
   const Vec<Dim> mean = first * (1 / total);
   for (int d = 0; d < Dim; ++d)
     for (int e = d; e < Dim; ++e) {
-      double& m = second[static_cast<std::size_t>(d)][e];
+      double& m = second[d][e];
       m -= total * mean[d] * mean[e];
       if (d == e) m += fit_ridge * total;
-      second[static_cast<std::size_t>(e)][d] = m;
+      second[e][d] = m;
     }
   const Matrix<Dim> a = inverse<Dim>(second);
   wall.donor_centre = mean;
   for (auto it = begin; it != end; ++it) {
     const Vec<Dim> x = it->slope_weight - mean;
-    for (int d = 0; d < Dim; ++d) it->slope_weight[d] = it->weight * dot(a[static_cast<std::size_t>(d)], x);
+    for (int d = 0; d < Dim; ++d) it->slope_weight[d] = it->weight * dot(a[d], x);
     it->weight /= total;
   }
 }

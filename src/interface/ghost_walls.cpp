@@ -9,9 +9,9 @@ namespace recoil {
 
 namespace {
 
-constexpr double settled_gap = 0.05;  // below this [dx], what was in contact closes no gap first
-constexpr double corner_gap = 0.7;    // surfaces nearer than this [dx] do not move into each other
-constexpr double closing_gap = 0.3;   // gaps in contact below this [dx] are closed
+constexpr double kept_contact_gap = 0.05;  // below this [dx], what was in contact closes no gap first
+constexpr double corner_gap = 0.7;         // surfaces nearer than this [dx] do not move into each other
+constexpr double closing_gap = 0.3;        // gaps in contact below this [dx] are closed
 
 /// Beside a partner that does not face it, a free surface does not move through the gap that is left.
 template <int Dim>
@@ -19,8 +19,7 @@ void stop_at(const SurfaceView<Dim>& v, const Opposite<Dim>& o, double dt, Vec<D
   using C = Components<Dim>;
   Vec<Dim> other;
   for (int d = 0; d < Dim; ++d)
-    other[d] = v.body(o.body).rigid ? v.body(o.body).rigid->velocity[d]
-                                    : o.value[static_cast<std::size_t>(C::u + d)];
+    other[d] = v.body(o.body).rigid ? v.body(o.body).rigid->velocity[d] : o.value[C::u + d];
   const double least = dot(other, o.normal) - std::max(o.gap, 0.0) / dt, now = dot(velocity, o.normal);
   if (now < least) velocity += (least - now) * o.normal;
 }
@@ -30,7 +29,7 @@ template <int Dim>
 bool try_touch(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
                const Index<Dim>& i, double dt, double booked, Wall<Dim>& w) {
   const GhostContact<Dim> c(v, m, o, i, w);
-  const double gap_speed = c.was && o.gap < settled_gap * v.dx() ? 0 : std::max(o.gap, 0.0) / dt;
+  const double gap_speed = c.was && o.gap < kept_contact_gap * v.dx() ? 0 : std::max(o.gap, 0.0) / dt;
   const Touch t =
       c.rigid ? touch_rigid(c.mine, c.theirs.velocity, gap_speed) : touch(c.mine, c.theirs, gap_speed);
   if (t.touching) c.apply(v, m, o, cut, t, booked, w);
@@ -40,12 +39,12 @@ bool try_touch(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const C
 }  // namespace
 
 template <int Dim>
-void find_ghost_walls(State<Dim>& state, int slot, double dt, double share, Scratch& scratch) {
-  for_each_ghost_wall(state, slot, share, scratch,
+void find_ghost_walls(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch) {
+  for_each_ghost_wall(state, slot, weight, scratch,
                       [&](const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
                           const Index<Dim>& i, Wall<Dim>& w) {
                         const bool faces = o.faces(w.normal);
-                        if (faces && try_touch(v, m, o, cut, i, dt, share * dt, w)) return;
+                        if (faces && try_touch(v, m, o, cut, i, dt, weight * dt, w)) return;
                         release(v.body(m).material, w);
                         if (o.body < 0 || faces || o.gap >= corner_gap * v.dx()) return;
                         stop_at(v, o, dt, w.velocity);
@@ -57,14 +56,14 @@ template <int Dim>
 void measure_gaps(State<Dim>& state, int slot, Scratch& scratch) {
   const SurfaceView<Dim> v = view_surfaces(state, slot, PhiAt::now, scratch);
   for (int m = 0; m < state.count(); ++m) {
-    Body<Dim>& body = state.bodies[static_cast<std::size_t>(m)];
+    Body<Dim>& body = state.bodies[m];
     if (body.rigid || !body.present(slot)) continue;
-    for (CutCell<Dim>& cut : body.at(slot).settled.cuts) {
+    for (CutCell<Dim>& cut : body.at(slot).end_geometry.cuts) {
       cut.mismatch = 0;
       const Index<Dim> i = state.mesh.block(slot).cells.lo + state.grid().layout().index(cut.cell);
       double least = closing_gap * v.dx();
       for (int q = 0; q < state.count(); ++q) {
-        if (q == m || !v.phi[static_cast<std::size_t>(q)]) continue;
+        if (q == m || !v.phi[q]) continue;
         const double gap = v.distance(q, cut.point);
         if (gap >= least || gap < -v.dx() || (gap > 0 && !v.touched(m, q, i) && !v.touched(q, m, i)))
           continue;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scratch.hpp"
-#include "cutcell/body.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 
@@ -13,12 +13,12 @@ namespace recoil {
 /// record of the pair takes the side of the lower-numbered (or the deformable) body.
 /// Reads the fits of all walls (evaluate_fits) of this block and those around it, and the mid-step level
 /// sets. Writes traction, normal, partners and velocities of BodyBlock::walls.
-/// @param share part of a whole step that this stage stands for; 0 after the last stage.
+/// @param weight part of a whole step that this stage stands for; 0 after the last stage.
 template <int Dim>
-void find_ghost_walls(State<Dim>& state, int slot, double dt, double share, Scratch& scratch);
+void find_ghost_walls(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch);
 
 /// Where level sets overlap, or leave a gap below 0.3 dx in a cell in contact: how far each surface should
-/// move out to meet the other halfway [m], as CutCell::mismatch of the settled geometry; 0 elsewhere.
+/// move out to meet the other halfway [m], as CutCell::mismatch of the end-of-step geometry; 0 elsewhere.
 template <int Dim>
 void measure_gaps(State<Dim>& state, int slot, Scratch& scratch);
 

@@ -25,13 +25,13 @@ bool state_at(const SurfaceView<Dim>& v, int m, const Vec<Dim>& x, Primitives<Di
   Vec<Dim> from_wall;
   unsigned flips = 0;
   for_each(box, [&](const Index<Dim>& j) {
-    const int at = v.wall[static_cast<std::size_t>(m)][v.window.at(j)];
+    const int at = v.wall[m][v.window.at(j)];
     if (at < 0) return;
     const auto source = v.window.source(j);
     const BodyBlock<Dim>& home = body.at(source.slot);
-    const Wall<Dim>& wall = home.walls[static_cast<std::size_t>(at)];
+    const Wall<Dim>& wall = home.walls[at];
     if (wall.donors == 0) return;
-    const Vec<Dim> r = x - v.window.appear(j, source, home.geometry.cuts[static_cast<std::size_t>(at)].point);
+    const Vec<Dim> r = x - v.window.appear(j, source, home.geometry.cuts[at].point);
     if (dot(r, r) >= nearest) return;
     nearest = dot(r, r);
     found = &wall;
@@ -53,17 +53,17 @@ bool state_at(const SurfaceView<Dim>& v, int m, const Vec<Dim>& x, Primitives<Di
 
 template <int Dim>
 double SurfaceView<Dim>::distance(int m, const Vec<Dim>& x) const {
-  return interpolate(state.grid(), window.box(), phi[static_cast<std::size_t>(m)], x);
+  return interpolate(state.grid(), window.box(), phi[m], x);
 }
 
 template <int Dim>
 Vec<Dim> SurfaceView<Dim>::normal(int m, const Index<Dim>& i) const {
-  return phi_normal(window.box(), phi[static_cast<std::size_t>(m)], i, dx());
+  return phi_normal(window.box(), phi[m], i, dx());
 }
 
 template <int Dim>
 bool SurfaceView<Dim>::was_in_contact(int m, int partner, const Index<Dim>& i) const {
-  const std::uint32_t* bits = contact[static_cast<std::size_t>(m)];
+  const std::uint32_t* bits = contact[m];
   if (!bits) return false;
   Box<Dim> box{i, i};
   for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
@@ -108,7 +108,7 @@ template <int Dim>
 Opposite<Dim> find_opposite(const SurfaceView<Dim>& v, int m, const Vec<Dim>& x, const Index<Dim>& i) {
   Opposite<Dim> o;
   for (int q = 0; q < v.state.count(); ++q) {
-    if (q == m || !v.phi[static_cast<std::size_t>(q)]) continue;
+    if (q == m || !v.phi[q]) continue;
     const double gap = v.distance(q, x);
     if (o.body >= 0 ? gap < o.gap : gap < partner_gap * v.dx()) {
       o.body = q;
@@ -123,7 +123,7 @@ Opposite<Dim> find_opposite(const SurfaceView<Dim>& v, int m, const Vec<Dim>& x,
 
 template <int Dim>
 void clear_records(State<Dim>& state, int slot) {
-  for (auto& p : state.ledger[static_cast<std::size_t>(slot)].pairs) {
+  for (auto& p : state.ledger[slot].pairs) {
     const Account<Dim> kept = p.exchanged;
     p = {};
     p.exchanged = kept;
@@ -136,8 +136,7 @@ void record_contact(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, co
   const double area = dot(cut.surface, e);
   if (!(booked > 0) || !(area > 0) || (m > o.body && !v.body(o.body).rigid)) return;
   const int low = std::min(m, o.body), high = std::max(m, o.body);
-  PairRecord<Dim>& r = v.state.ledger[static_cast<std::size_t>(v.slot)]
-                           .pairs[static_cast<std::size_t>(pair_number(low, high, v.state.count()))];
+  PairRecord<Dim>& r = v.state.ledger[v.slot].pairs[pair_number(low, high, v.state.count())];
   const double sign = m == low ? 1 : -1;
   const Vec<Dim> force = sign * traction * area * e;
   r.exchanged.momentum += booked * force;

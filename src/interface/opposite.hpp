@@ -19,14 +19,14 @@ struct SurfaceView {
   std::vector<const int*> wall;               // places in BodyBlock::walls, of deformable bodies
 
   double dx() const { return state.grid().dx; }
-  const Body<Dim>& body(int m) const { return state.bodies[static_cast<std::size_t>(m)]; }
+  const Body<Dim>& body(int m) const { return state.bodies[m]; }
   /// phi of a body at x [m].
   double distance(int m, const Vec<Dim>& x) const;
   /// Outward normal of a body at cell i.
   Vec<Dim> normal(int m, const Index<Dim>& i) const;
   /// Whether a body touched a partner in the last step in cell i.
   bool touched(int m, int partner, const Index<Dim>& i) const {
-    const std::uint32_t* bits = contact[static_cast<std::size_t>(m)];
+    const std::uint32_t* bits = contact[m];
     return bits && (bits[window.at(i)] >> partner & 1U) != 0;
   }
   /// The same in cell i or one around it.

@@ -27,7 +27,7 @@ Primitives<Dim> cell_value(const SurfaceView<Dim>& v, int m, const Index<Dim>& i
 
 template <int Dim>
 bool is_real(const SurfaceView<Dim>& v, int m, const Index<Dim>& i) {
-  const std::uint8_t* role = v.role[static_cast<std::size_t>(m)];
+  const std::uint8_t* role = v.role[m];
   return role && v.window.box().contains(i) && (role[v.window.at(i)] & regular) != 0;
 }
 
@@ -86,7 +86,7 @@ double traction_at(const SurfaceView<Dim>& v, int m, const Index<Dim>& node, con
 
 template <int Dim>
 double phi_at(const SurfaceView<Dim>& v, int m, const Index<Dim>& i) {
-  return v.phi[static_cast<std::size_t>(m)][v.window.at(i)];
+  return v.phi[m][v.window.at(i)];
 }
 
 /// T_n of the interface beside a colliding node of body m. @returns false where the node does not collide.
@@ -121,11 +121,11 @@ bool try_join(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const Cu
 }  // namespace
 
 template <int Dim>
-void find_seed_walls(State<Dim>& state, int slot, double kappa, double dt, double share, Scratch& scratch) {
-  for_each_ghost_wall(state, slot, share, scratch,
+void find_seed_walls(State<Dim>& state, int slot, double kappa, double dt, double weight, Scratch& scratch) {
+  for_each_ghost_wall(state, slot, weight, scratch,
                       [&](const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
                           const Index<Dim>& i, Wall<Dim>& w) {
-                        if (!o.faces(w.normal) || !try_join(v, m, o, cut, i, kappa, share * dt, w))
+                        if (!o.faces(w.normal) || !try_join(v, m, o, cut, i, kappa, weight * dt, w))
                           release(v.body(m).material, w);
                       });
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scratch.hpp"
-#include "cutcell/body.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 
@@ -12,6 +12,6 @@ namespace recoil {
 /// both sides common, tension or distance leaves them free. Shear is free on both sides either way.
 /// Reads and writes as find_ghost_walls().
 template <int Dim>
-void find_seed_walls(State<Dim>& state, int slot, double kappa, double dt, double share, Scratch& scratch);
+void find_seed_walls(State<Dim>& state, int slot, double kappa, double dt, double weight, Scratch& scratch);
 
 }  // namespace recoil

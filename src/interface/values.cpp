@@ -25,8 +25,7 @@ bool open_low_face(const Body<Dim>& body, const Window<Dim>& w, const CellKind* 
   const auto from = w.source(i);
   const auto& g = body.at(from.slot).geometry;
   const int side = (from.flips >> d & 1U) != 0 ? 1 : 0;
-  return g.cuts[static_cast<std::size_t>(g.index[static_cast<std::size_t>(from.cell)])]
-             .open[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)] > 0;
+  return g.cuts[g.index[from.cell]].open[d][side] > 0;
 }
 
 template <int Dim>
@@ -65,8 +64,8 @@ void attach_wall(const State<Dim>& state, const Body<Dim>& body, const Window<Di
     if (at < 0) return;
     const auto from = w.source(j);
     const auto& home = body.at(from.slot);
-    if (home.walls[static_cast<std::size_t>(at)].donors == 0) return;
-    const Vec<Dim> r = foot - w.appear(j, from, home.geometry.cuts[static_cast<std::size_t>(at)].point);
+    if (home.walls[at].donors == 0) return;
+    const Vec<Dim> r = foot - w.appear(j, from, home.geometry.cuts[at].point);
     const double r2 = dot(r, r);
     if (r2 >= nearest) return;
     nearest = r2;
@@ -105,13 +104,12 @@ template <int Dim>
 void apply(Primitives<Dim>& w, const Change<Dim>& x, const Vec<Dim>& n) {
   using C = Components<Dim>;
   for (int i = 0; i < Dim; ++i) {
-    w[static_cast<std::size_t>(C::u + i)] += x.normal_velocity * n[i] + x.sliding[i];
+    w[C::u + i] += x.normal_velocity * n[i] + x.sliding[i];
     for (int j = i; j < Dim; ++j) {
       const int c = C::stress(i, j);
       if (c >= 0)
-        w[static_cast<std::size_t>(C::s + c)] += x.normal_deviator * n[i] * n[j] + x.shear[i] * n[j] +
-                                                 n[i] * x.shear[j] +
-                                                 x.tangential[static_cast<std::size_t>(i)][j];
+        w[C::s + c] +=
+            x.normal_deviator * n[i] * n[j] + x.shear[i] * n[j] + n[i] * x.shear[j] + x.tangential[i][j];
     }
   }
 }
@@ -125,9 +123,8 @@ std::array<Vec<Dim>, Dim> tangential_block(const Primitives<Dim>& w, const Surfa
   for (int i = 0; i < Dim; ++i)
     for (int j = 0; j < Dim; ++j) {
       const int c = C::stress(i, j);
-      const double sij = c >= 0 ? w[static_cast<std::size_t>(C::s + c)] : -(w[C::s] + w[C::s + 1]);
-      m[static_cast<std::size_t>(i)][j] =
-          sij - s.deviator * n[i] * n[j] - s.shear[i] * n[j] - n[i] * s.shear[j];
+      const double sij = c >= 0 ? w[C::s + c] : -(w[C::s] + w[C::s + 1]);
+      m[i][j] = sij - s.deviator * n[i] * n[j] - s.shear[i] * n[j] - n[i] * s.shear[j];
     }
   return m;
 }
@@ -195,7 +192,7 @@ double stress_range(const Wall<Dim>& wall) {
   double largest = 0;
   for (int d = 0; d < Dim; ++d) {
     const int c = C::stress(d, d);
-    largest = std::max(largest, wall.range[static_cast<std::size_t>(c >= 0 ? C::s + c : C::extra)]);
+    largest = std::max(largest, wall.range[c >= 0 ? C::s + c : C::extra]);
   }
   return wall.range[C::p] + 1.5 * largest;
 }
@@ -212,8 +209,7 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
     if ((ghost.flips >> d & 1U) != 0) own[d] = -own[d];
   const auto g = resolve<Dim>(slope_along(wall, own, grid.dx), own);
   double speed2 = 0;
-  for (int d = 0; d < Dim; ++d)
-    speed2 += wall.range[static_cast<std::size_t>(C::u + d)] * wall.range[static_cast<std::size_t>(C::u + d)];
+  for (int d = 0; d < Dim; ++d) speed2 += wall.range[C::u + d] * wall.range[C::u + d];
   const double most_u = std::sqrt(speed2), most_s = stress_range(wall);
   const double du = wall.partners != 0 ? std::clamp(g.velocity * ghost.distance, -most_u, most_u) : 0;
   const double stress = wall.traction + std::clamp(g.stress * ghost.distance, -most_s, most_s);
@@ -265,7 +261,7 @@ void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Cells cel
   }
   for_each(w.inner(), [&](const Index<Dim>& i) {
     const int cell = w.cell(i);
-    if ((b.role[static_cast<std::size_t>(cell)] & regular) != 0) return;
+    if ((b.role[cell] & regular) != 0) return;
     if (role ? !read_by_a_real_cell(w, role, i) : !read_by_a_face(body, w, kind, i)) return;
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
     GhostCell<Dim> ghost;
@@ -300,9 +296,9 @@ void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Cou
       ++counters.cuts_without_donor;
       continue;
     }
-    const Wall<Dim>& wall = body.at(ghost.slot).walls[static_cast<std::size_t>(ghost.wall)];
+    const Wall<Dim>& wall = body.at(ghost.slot).walls[ghost.wall];
     store(b, n, ghost.cell, ghost_value(grid, body.material, wall, ghost));
-    b.role[static_cast<std::size_t>(ghost.cell)] |= valued;
+    b.role[ghost.cell] |= valued;
   }
 }
 

@@ -5,7 +5,7 @@
 
 namespace recoil {
 
-/// Lists the cells of a block that a reconstruction reads but whose pieces are too small to stand for
+/// Lists the cells of a block that a reconstruction reads but whose fragments are too small to stand for
 /// themselves (within three of an open face, along its axis), each with the nearest cut cell, whose wall
 /// speaks for it. Once a step. Writes BodyBlock::ghosts.
 /// @param cells whole: the faces of real cells (Role::regular) are the open ones.

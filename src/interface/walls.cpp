@@ -14,13 +14,13 @@ namespace recoil {
 namespace {
 
 constexpr double touching_gap = 0.5;  // surfaces farther apart [dx] do not meet in this step
-constexpr double settled_gap =
+constexpr double kept_contact_gap =
     0.1;  // below this [dx], what was in contact stays so without closing a gap first
 constexpr double welded_gap = 0.01;  // glued bodies that are this near [dx] hold each other
 constexpr double small_face =
     0.1;  // of dx^(Dim-1): a smaller part of a surface takes its normal from elsewhere
 
-/// One body's piece of the cell at hand.
+/// One body's fragment of the cell at hand.
 template <int Dim>
 struct Side {
   int body = 0;
@@ -53,10 +53,10 @@ struct Around {
 };
 
 template <int Dim>
-Around<Dim> look_around(State<Dim>& state, int slot, double dt, double share, Scratch& scratch) {
-  Around<Dim> a{state, slot,       Window<Dim>(state.mesh, slot, 1),
-                dt,    share * dt, state.grid().dx_power(Dim - 1),
-                {},    {},         {}};
+Around<Dim> look_around(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch) {
+  Around<Dim> a{state, slot,        Window<Dim>(state.mesh, slot, 1),
+                dt,    weight * dt, state.grid().dx_power(Dim - 1),
+                {},    {},          {}};
   const auto n = static_cast<std::size_t>(a.window.size());
   for (const Body<Dim>& body : state.bodies) {
     a.phi.push_back(nullptr);
@@ -78,7 +78,7 @@ Around<Dim> look_around(State<Dim>& state, int slot, double dt, double share, Sc
 /// Whether a body touched a partner in the last step in this cell or one around it.
 template <int Dim>
 bool was_in_contact(const Around<Dim>& a, int body, int partner, const Index<Dim>& i) {
-  const std::uint32_t* bits = a.contact[static_cast<std::size_t>(body)];
+  const std::uint32_t* bits = a.contact[body];
   if (!bits) return false;
   Box<Dim> box{i, i};
   for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
@@ -87,14 +87,14 @@ bool was_in_contact(const Around<Dim>& a, int body, int partner, const Index<Dim
   return found;
 }
 
-/// What a part of the wall with this area vector, velocity and traction force does to a piece.
+/// What a part of the wall with this area vector, velocity and traction force does to a fragment.
 template <int Dim>
 void act(Side<Dim>& s, const Vec<Dim>& force, double power, const Vec<Dim>& velocity, const Vec<Dim>& area) {
   Wall<Dim>& w = *s.wall;
   w.force += force;
   w.power += power;
   w.volume_rate += dot(velocity, area);
-  for (int i = 0; i < Dim; ++i) w.stretching[static_cast<std::size_t>(i)] += velocity[i] * area;
+  for (int i = 0; i < Dim; ++i) w.stretching[i] += velocity[i] * area;
 }
 
 /// Direction from the first body into the second, and the area that their surfaces share.
@@ -114,11 +114,11 @@ double shared_area(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>
 
 template <int Dim>
 void record(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, const Touch& t,
-            const Grip<Dim>& g, const Vec<Dim>& e, double area, double gap) {
-  auto& ledger = a.state.ledger[static_cast<std::size_t>(a.slot)];
+            const ShearContact<Dim>& g, const Vec<Dim>& e, double area, double gap) {
+  auto& ledger = a.state.ledger[a.slot];
   const bool in_order = first.body < second.body;
-  PairRecord<Dim>& r = ledger.pairs[static_cast<std::size_t>(
-      pair_number(std::min(first.body, second.body), std::max(first.body, second.body), a.state.count()))];
+  PairRecord<Dim>& r = ledger.pairs[pair_number(std::min(first.body, second.body),
+                                                std::max(first.body, second.body), a.state.count())];
   const double sign = in_order ? 1.0 : -1.0;
   const Vec<Dim> force = (sign * area) * (t.traction * e + g.traction);
   const double power = sign * area * (t.traction * t.work_velocity + dot(g.traction, g.work_velocity));
@@ -137,7 +137,7 @@ void record(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& secon
 
 template <int Dim>
 void touch_part(Side<Dim>& s, int partner, const Vec<Dim>& e, double sign, const Vec<Dim>& velocity,
-                const Touch& t, const Grip<Dim>& g, double area) {
+                const Touch& t, const ShearContact<Dim>& g, double area) {
   act(s, (sign * area) * (t.traction * e + g.traction),
       sign * area * (t.traction * t.work_velocity + dot(g.traction, g.work_velocity)), velocity,
       sign * area * e);
@@ -171,14 +171,13 @@ void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double 
   const double area = shared_area(a, first, second, e);
   if (area <= 1e-12 * face) return;
   const auto& bodies = a.state.bodies;
-  const Body<Dim>&one = bodies[static_cast<std::size_t>(first.body)],
-        &other = bodies[static_cast<std::size_t>(second.body)];
+  const Body<Dim>&one = bodies[first.body], &other = bodies[second.body];
   const bool was =
       was_in_contact(a, first.body, second.body, i) || was_in_contact(a, second.body, first.body, i);
-  const ContactLaw& law = a.state.contact[static_cast<std::size_t>(
-      pair_number(std::min(first.body, second.body), std::max(first.body, second.body), a.state.count()))];
+  const ContactLaw& law = a.state.contact[pair_number(std::min(first.body, second.body),
+                                                      std::max(first.body, second.body), a.state.count())];
   const bool glued = law.mode == ContactLaw::Mode::bonded && (was || std::abs(gap) < welded_gap * a.dx());
-  const double gap_speed = glued || (was && gap < settled_gap * a.dx()) ? 0 : std::max(gap, 0.0) / a.dt;
+  const double gap_speed = glued || (was && gap < kept_contact_gap * a.dx()) ? 0 : std::max(gap, 0.0) / a.dt;
   const auto s = surface_state(one.material, first.wall->value, e);
   const ContactSide mine{s.velocity, s.stress, s.impedance};
   if (second.rigid) {
@@ -186,7 +185,7 @@ void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double 
     const double along = dot(wall, e);
     const Touch t = touch_rigid(mine, along, gap_speed, glued);
     if (!t.touching) return;
-    const Grip<Dim> g = grip_rigid(shear_side(s), wall - along * e, shear_limit(law, t));
+    const ShearContact<Dim> g = shear_contact_rigid(shear_side(s), wall - along * e, shear_limit(law, t));
     touch_part(first, second.body, e, 1, t.first_velocity * e + g.first_velocity, t, g, area);
     record(a, first, second, t, g, e, area, gap);
     return;
@@ -194,7 +193,7 @@ void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double 
   const auto r = surface_state(other.material, second.wall->value, e);
   const Touch t = touch(mine, {r.velocity, r.stress, r.impedance}, gap_speed, glued);
   if (!t.touching) return;
-  const Grip<Dim> g = grip(shear_side(s), shear_side(r), shear_limit(law, t));
+  const ShearContact<Dim> g = shear_contact(shear_side(s), shear_side(r), shear_limit(law, t));
   touch_part(first, second.body, e, 1, t.first_velocity * e + g.first_velocity, t, g, area);
   touch_part(second, first.body, e, -1, t.second_velocity * e + g.second_velocity, t, g, area);
   record(a, first, second, t, g, e, area, gap);
@@ -240,10 +239,9 @@ void free_part(const Around<Dim>& a, Side<Dim>& s, const Index<Dim>& i, double f
   if (contact && rest <= small_face * face) {
     velocity = w.face_velocity;
   } else {
-    Vec<Dim> n = rest > small_face * face
-                     ? s.rest * (1 / rest)
-                     : phi_normal(a.window.box(), a.phi[static_cast<std::size_t>(s.body)], i, a.dx());
-    const Material& material = a.state.bodies[static_cast<std::size_t>(s.body)].material;
+    Vec<Dim> n =
+        rest > small_face * face ? s.rest * (1 / rest) : phi_normal(a.window.box(), a.phi[s.body], i, a.dx());
+    const Material& material = a.state.bodies[s.body].material;
     const auto state = surface_state(material, w.value, n);
     velocity = free_velocity(state.velocity, state.stress, state.impedance) * n + state.sliding -
                shear_recoil(state);
@@ -276,11 +274,10 @@ SurfaceState<Dim> resolve(const Primitives<Dim>& value, const Vec<Dim>& e) {
   SurfaceState<Dim> s;
   Vec<Dim> u, t;
   for (int i = 0; i < Dim; ++i) {
-    u[i] = value[static_cast<std::size_t>(C::u + i)];
+    u[i] = value[C::u + i];
     for (int j = 0; j < Dim; ++j) {
       const int c = C::stress(i, j);
-      const double sij =
-          c >= 0 ? value[static_cast<std::size_t>(C::s + c)] : -(value[C::s] + value[C::s + 1]);
+      const double sij = c >= 0 ? value[C::s + c] : -(value[C::s] + value[C::s + 1]);
       t[i] += sij * e[j];
     }
   }
@@ -309,8 +306,8 @@ SurfaceState<Dim> surface_state(const Material& material, const Primitives<Dim>&
 }
 
 template <int Dim>
-void find_walls(State<Dim>& state, int slot, double dt, double share, Scratch& scratch) {
-  auto& ledger = state.ledger[static_cast<std::size_t>(slot)];
+void find_walls(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch) {
+  auto& ledger = state.ledger[slot];
   for (auto& p : ledger.pairs) {
     const Account<Dim> kept = p.exchanged;
     const Vec<3> moment = p.moment;
@@ -325,31 +322,26 @@ void find_walls(State<Dim>& state, int slot, double dt, double share, Scratch& s
     any = any || !body.at(slot).walls.empty();
   }
   if (!any) return;
-  const Around<Dim> a = look_around(state, slot, dt, share, scratch);
+  const Around<Dim> a = look_around(state, slot, dt, weight, scratch);
   const Box<Dim> layout = state.grid().layout();
   std::vector<Side<Dim>> sides;
   for (int m = 0; m < state.count(); ++m) {
-    Body<Dim>& body = state.bodies[static_cast<std::size_t>(m)];
+    Body<Dim>& body = state.bodies[m];
     if (body.rigid || !body.present(slot)) continue;
     for (const CutCell<Dim>& cut : body.at(slot).geometry.cuts) {
       const auto cell = static_cast<std::size_t>(cut.cell);
       sides.clear();
       bool mine = true;  // a cell is done with its lowest deformable body
       for (int q = 0; q < state.count() && mine; ++q) {
-        Body<Dim>& other = state.bodies[static_cast<std::size_t>(q)];
+        Body<Dim>& other = state.bodies[q];
         if (!other.present(slot)) continue;
         BodyBlock<Dim>& b = other.at(slot);
         const int at = b.geometry.index[cell];
         if (at < 0) continue;
         if (!other.rigid && q < m) mine = false;
-        const CutCell<Dim>& c = b.geometry.cuts[static_cast<std::size_t>(at)];
-        sides.push_back({q,
-                         other.rigid.has_value(),
-                         &c,
-                         other.rigid ? nullptr : &b.walls[static_cast<std::size_t>(at)],
-                         c.surface,
-                         0,
-                         {}});
+        const CutCell<Dim>& c = b.geometry.cuts[at];
+        sides.push_back(
+            {q, other.rigid.has_value(), &c, other.rigid ? nullptr : &b.walls[at], c.surface, 0, {}});
       }
       if (!mine) continue;
       const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
@@ -361,14 +353,13 @@ void find_walls(State<Dim>& state, int slot, double dt, double share, Scratch& s
   }
   for (Body<Dim>& body : state.bodies)
     if (!body.rigid && body.present(slot))
-      for (Wall<Dim>& w : body.at(slot).walls) w.mean_velocity += share * w.velocity;
+      for (Wall<Dim>& w : body.at(slot).walls) w.mean_velocity += weight * w.velocity;
 }
 
 template <int Dim>
 void remember_contact(BodyBlock<Dim>& b) {
   std::fill(b.contact.begin(), b.contact.end(), 0U);
-  for (std::size_t m = 0; m < b.walls.size(); ++m)
-    b.contact[static_cast<std::size_t>(b.geometry.cuts[m].cell)] = b.walls[m].partners;
+  for (std::size_t m = 0; m < b.walls.size(); ++m) b.contact[b.geometry.cuts[m].cell] = b.walls[m].partners;
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                            \

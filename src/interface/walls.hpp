@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scratch.hpp"
-#include "cutcell/body.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 
@@ -35,9 +35,9 @@ Vec<Dim> shear_recoil(const SurfaceState<Dim>& s) {
 /// The walls of all cut cells of a block: which parts of a surface touch another body and what they do to
 /// each other (contact/touch), and the free rest. Momentum and energy given to one side are taken from the
 /// other to the last bit; both volumes move with the velocity that does the work. Writes BodyBlock::walls.
-/// @param share part of a whole step that this stage stands for (the weight of the Runge-Kutta stage).
+/// @param weight part of a whole step that this stage stands for (the weight of the Runge-Kutta stage).
 template <int Dim>
-void find_walls(State<Dim>& state, int slot, double dt, double share, Scratch& scratch);
+void find_walls(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch);
 
 /// Stores for the next step which bodies every cell touched.
 template <int Dim>

@@ -25,16 +25,15 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
   }
   choice.present = choice.near_surface || (inside && !body.rigid);
   for_each(w.inner(), [&](const Index<Dim>& i) {
-    if (phi[w.at(i)] < reach_cells * grid.dx ||
-        (b.present && !body.rigid && b.volume[static_cast<std::size_t>(w.cell(i))] != 0))
+    if (phi[w.at(i)] < reach_cells * grid.dx || (b.present && !body.rigid && b.volume[w.cell(i)] != 0))
       extend(choice.reach, i);
   });
   if (!b.present || body.rigid || choice.near_surface) return choice;
-  // Pieces that the level set has lost stay, and stay cut.
+  // MovesView that the level set has lost stay, and stay cut.
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
   bool any = false, partial = false;
   for_each(cells, [&](const Index<Dim>& i) {
-    const double v = b.volume[static_cast<std::size_t>(layout.at(i - cells.lo))];
+    const double v = b.volume[layout.at(i - cells.lo)];
     any = any || v != 0;
     partial = partial || (v != 0 && std::abs(v - grid.full_volume(i)) > 1e-12 * grid.full_volume(i));
   });
@@ -59,14 +58,14 @@ void apply_band(const State<Dim>& state, Body<Dim>& body, int slot, const BandCh
   if ((choice.near_surface && !void_here) || (!choice.near_surface && !was_near)) return;
   if (void_here) b.matter = {};
   const CellKind kind = !void_here && b.phi[0] < 0 ? CellKind::full : CellKind::empty;
-  for (Geometry<Dim>* g : {&b.geometry, &b.settled}) {
+  for (Geometry<Dim>* g : {&b.geometry, &b.end_geometry}) {
     std::fill(g->kind.begin(), g->kind.end(), kind);
     std::fill(g->index.begin(), g->index.end(), -1);
     g->cuts.clear();
   }
   b.walls.clear();
   b.ghosts.clear();
-  std::fill(b.carrier.begin(), b.carrier.end(), 0.0);
+  std::fill(b.extension_velocity.begin(), b.extension_velocity.end(), 0.0);
   const int role = kind == CellKind::full ? donates | regular | valued : 0;
   std::fill(b.role.begin(), b.role.end(), static_cast<std::uint8_t>(role));
   std::fill(b.contact.begin(), b.contact.end(), 0U);

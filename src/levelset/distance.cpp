@@ -130,7 +130,7 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
   double* p0 = scratch.take<double>(n);
   w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far, Beyond::extend, p0);
   Strides<Dim> stride{};
-  for (int d = 0; d < Dim; ++d) stride[static_cast<std::size_t>(d)] = w.stride(d);
+  for (int d = 0; d < Dim; ++d) stride[d] = w.stride(d);
 
   // The cells that change, and the box that holds them.
   auto* place = scratch.take<std::uint8_t>(n);

@@ -58,14 +58,15 @@ void for_each_advected_row(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const
   for_each(rows, [&](const Index<Dim>& i) {
     const auto cell = static_cast<std::size_t>(w.cell(i));
     const int k = w.at(i);
-    advection_row(w.box(), phi + k, b.carrier.data() + cell, n, count, grid.dx, sum);
+    advection_row(w.box(), phi + k, b.extension_velocity.data() + cell, n, count, grid.dx, sum);
     f(cell, k, count, sum);
   });
 }
 
 template <int Dim>
 bool moves(const BodyBlock<Dim>& b) {
-  return std::any_of(b.carrier.begin(), b.carrier.end(), [](double u) { return u != 0; });
+  return std::any_of(b.extension_velocity.begin(), b.extension_velocity.end(),
+                     [](double u) { return u != 0; });
 }
 
 /// The box of cells within `reach` of a cell, cut to a window.
@@ -132,7 +133,7 @@ WallAt<Dim>* walls_in_view(const Grid<Dim>& grid, const Body<Dim>& body, const W
     const Index<Dim> i = w.box().index(cuts.cell[m]);
     const auto from = w.source(i);
     const BodyBlock<Dim>& home = body.at(from.slot);
-    const auto at = static_cast<std::size_t>(home.geometry.index[static_cast<std::size_t>(from.cell)]);
+    const auto at = static_cast<std::size_t>(home.geometry.index[from.cell]);
     const CutCell<Dim>& cut = home.geometry.cuts[at];
     walls[m].point = w.appear(i, from, cut.point);
     walls[m].area = norm(cut.surface) * per_area / grid.radius(i[0]);
@@ -159,7 +160,7 @@ template <int Dim>
 void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Counters& counters,
                           Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
-  std::fill(b.carrier.begin(), b.carrier.end(), 0.0);
+  std::fill(b.extension_velocity.begin(), b.extension_velocity.end(), 0.0);
   if (!b.near_surface || b.reach.size() == 0) return;
   const Grid<Dim>& grid = state.grid();
   const double dx = grid.dx, steepness = 2 / (dx * dx);
@@ -196,12 +197,12 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
       u *= dx / step;
       ++counters.capped_speeds;
     }
-    for (int d = 0; d < Dim; ++d) b.carrier[static_cast<std::size_t>(d) * cells + k] = u[d];
+    for (int d = 0; d < Dim; ++d) b.extension_velocity[static_cast<std::size_t>(d) * cells + k] = u[d];
   });
 }
 
 template <int Dim>
-void carry(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch) {
+void advect_level_set(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.phi_next = b.phi;
   if (!b.near_surface || b.reach.size() == 0 || !moves(b)) return;
@@ -218,7 +219,7 @@ void carry(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratc
 }
 
 template <int Dim>
-void carry_again(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch) {
+void advect_level_set_again(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   if (!b.near_surface || b.reach.size() == 0 || !moves(b)) return;
   const Grid<Dim>& grid = state.grid();
@@ -247,29 +248,27 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
   w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * dx,
            Beyond::extend, phi);
   const CutsInView cuts = cuts_in_view(
-      w, [&](int s) { return body.present(s) ? body.at(s).settled.index.data() : nullptr; }, scratch);
+      w, [&](int s) { return body.present(s) ? body.at(s).end_geometry.index.data() : nullptr; }, scratch);
   double* mismatch = scratch.take<double>(static_cast<std::size_t>(cuts.count));
   for (int m = 0; m < cuts.count; ++m) {
     const auto from = w.source(w.box().index(cuts.cell[m]));
-    const Geometry<Dim>& g = body.at(from.slot).settled;
-    mismatch[m] = g.cuts[static_cast<std::size_t>(g.index[static_cast<std::size_t>(from.cell)])].mismatch;
+    const Geometry<Dim>& g = body.at(from.slot).end_geometry;
+    mismatch[m] = g.cuts[g.index[from.cell]].mismatch;
   }
   for_each(w.inner(), [&](const Index<Dim>& i) {
     if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
     const Index<Dim> near = grid.cell_of(foot.point);
     std::array<Bell, Dim> bell;
-    for (int d = 0; d < Dim; ++d)
-      bell[static_cast<std::size_t>(d)] = bell_about((grid.centre(near)[d] - foot.point[d]) / dx);
+    for (int d = 0; d < Dim; ++d) bell[d] = bell_about((grid.centre(near)[d] - foot.point[d]) / dx);
     double sum = 0, weights = 0;
     for_each_cut(cuts, w.box(), around_cell(near, ring, w.box()), [&](int m, const Index<Dim>& j) {
       double weight = 1;
-      for (int d = 0; d < Dim; ++d)
-        weight *= bell[static_cast<std::size_t>(d)][static_cast<std::size_t>(j[d] - near[d] + ring)];
+      for (int d = 0; d < Dim; ++d) weight *= bell[d][j[d] - near[d] + ring];
       sum += weight * mismatch[m];
       weights += weight;
     });
-    if (weights > 1e-3) b.phi_next[static_cast<std::size_t>(w.cell(i))] -= rate * sum / weights;
+    if (weights > 1e-3) b.phi_next[w.cell(i)] -= rate * sum / weights;
   });
 }
 
@@ -300,8 +299,8 @@ void cut_out_rigid(const State<Dim>& state, Body<Dim>& body, int slot) {
 
 #define RECOIL_INSTANTIATE(Dim)                                                                             \
   template void spread_wall_velocity<Dim>(const State<Dim>&, Body<Dim>&, int, double, Counters&, Scratch&); \
-  template void carry<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                           \
-  template void carry_again<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                     \
+  template void advect_level_set<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                \
+  template void advect_level_set_again<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);          \
   template void follow_volume<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                   \
   template void place_rigid<Dim>(const State<Dim>&, Body<Dim>&, int, double, PhiAt);                        \
   template void cut_out_rigid<Dim>(const State<Dim>&, Body<Dim>&, int);

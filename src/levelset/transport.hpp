@@ -4,25 +4,25 @@
 
 namespace recoil {
 
-/// Sets the velocity that carries phi (BodyBlock::carrier) from the wall velocities of the cut cells near the
-/// foot point on the mid-step surface, weighted with exp(-2 r^2/dx^2) (|A_I|/dx^(Dim-1) + 0.02); zero outside
-/// the band. A speed above dx/dt is capped and counted.
+/// Sets the velocity that carries phi (BodyBlock::extension_velocity) from the wall velocities of the cut
+/// cells near the foot point on the mid-step surface, weighted with exp(-2 r^2/dx^2) (|A_I|/dx^(Dim-1) +
+/// 0.02); zero outside the band. A speed above dx/dt is capped and counted.
 template <int Dim>
 void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Counters& counters,
                           Scratch& scratch);
 
 /// phi_t + u . grad phi = 0 by fifth-order WENO, upwinded per component (Jiang & Peng 2000).
-/// phi_next = phi - dt u . grad phi; reads BodyBlock::phi and ::carrier.
+/// phi_next = phi - dt u . grad phi; reads BodyBlock::phi and ::extension_velocity.
 template <int Dim>
-void carry(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch);
+void advect_level_set(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch);
 
 /// Second half of Heun's rule: phi = (phi + phi_next - dt u . grad phi_next)/2.
 template <int Dim>
-void carry_again(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch);
+void advect_level_set_again(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch);
 
 /// phi follows V: phi_next = phi - rate h, h the mismatch (V - V_phi)/A_I of the cut cells (CutCell::mismatch
-/// of the settled geometry) averaged along the surface with exp(-r^2/dx^2) over 5^Dim cells about the foot
-/// point.
+/// of the end-of-step geometry) averaged along the surface with exp(-r^2/dx^2) over 5^Dim cells about the
+/// foot point.
 template <int Dim>
 void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double rate, Scratch& scratch);
 

@@ -31,7 +31,7 @@ struct Grid {
     for (int d = 0; d < Dim; ++d) n[d] = (cells[d] + block[d] - 1) / block[d];
     return n;
   }
-  bool periodic(int d) const { return edge[static_cast<std::size_t>(d)][0] == Edge::periodic; }
+  bool periodic(int d) const { return edge[d][0] == Edge::periodic; }
 
   Vec<Dim> centre(const Index<Dim>& i) const {
     Vec<Dim> x;

@@ -102,7 +102,7 @@ Mesh<Dim>::Mesh(const Grid<Dim>& grid, const parallel::World& world,
   using L = Library<Dim>;
   quiet_library();
   std::array<int, 3> periodic{};
-  for (int d = 0; d < Dim; ++d) periodic[static_cast<std::size_t>(d)] = grid.periodic(d);
+  for (int d = 0; d < Dim; ++d) periodic[d] = grid.periodic(d);
   const Index<Dim> lattice = grid.blocks();
   const auto cells_at = [&](const Index<Dim>& at) {
     Box<Dim> b;
@@ -159,14 +159,14 @@ Mesh<Dim>::Mesh(Mesh&&) noexcept = default;
 template <int Dim>
 int Mesh<Dim>::find(const Index<Dim>& at) const {
   const Box<Dim> box{{}, grid_.blocks()};
-  return box.contains(at) ? lattice_[static_cast<std::size_t>(box.at(at))] : -1;
+  return box.contains(at) ? lattice_[box.at(at)] : -1;
 }
 
 template <int Dim>
 void Mesh<Dim>::number_neighbours() {
   const Box<Dim> box{{}, grid_.blocks()};
   lattice_.assign(static_cast<std::size_t>(box.size()), -1);
-  for (int s = 0; s < slots(); ++s) lattice_[static_cast<std::size_t>(box.at(block(s).at))] = s;
+  for (int s = 0; s < slots(); ++s) lattice_[box.at(block(s).at)] = s;
   Box<Dim> around;
   for (int d = 0; d < Dim; ++d) around.lo[d] = -1, around.hi[d] = 2;
   for (auto& b : blocks_)
@@ -174,7 +174,7 @@ void Mesh<Dim>::number_neighbours() {
       Index<Dim> at = b.at + o;
       for (int d = 0; d < Dim; ++d)
         if (grid_.periodic(d)) at[d] = (at[d] + box.hi[d]) % box.hi[d];
-      b.neighbour[static_cast<std::size_t>(around.at(o))] = find(at);
+      b.neighbour[around.at(o)] = find(at);
     });
 }
 
@@ -185,7 +185,7 @@ Index<Dim> choose_block(const Index<Dim>& cells, const std::array<std::array<Edg
   Index<Dim> block;
   for (int d = 0; d < Dim; ++d) {
     block[d] = cells[d] <= usual ? cells[d] : usual;
-    if (edge[static_cast<std::size_t>(d)][0] != Edge::periodic || cells[d] % block[d] == 0) continue;
+    if (edge[d][0] != Edge::periodic || cells[d] % block[d] == 0) continue;
     int best = 0;
     for (int n = widest_halo + 1; n <= 2 * usual + widest_halo && n <= cells[d]; ++n)
       if (cells[d] % n == 0 && (best == 0 || std::abs(n - usual) < std::abs(best - usual))) best = n;

@@ -34,7 +34,7 @@ class Mesh {
   const Grid<Dim>& grid() const { return grid_; }
   int local() const { return local_; }
   int slots() const { return static_cast<int>(blocks_.size()); }
-  const Block<Dim>& block(int slot) const { return blocks_[static_cast<std::size_t>(slot)]; }
+  const Block<Dim>& block(int slot) const { return blocks_[slot]; }
   /// Slot of the block at a place of the lattice, or -1 where this process does not hold it.
   int find(const Index<Dim>& at) const;
 

@@ -27,7 +27,7 @@ void OrderedSums::clear() {
 }
 
 std::span<double> OrderedSums::add(int item, long order) {
-  const Kind& kind = kinds_[static_cast<std::size_t>(item)];
+  const Kind& kind = kinds_[item];
   const std::size_t begin = values_.size();
   rows_.push_back({order, item, begin});
   values_.resize(begin + kind.sums, 0.0);
@@ -56,8 +56,8 @@ void OrderedSums::add_up() {
     std::fill_n(total_.begin() + static_cast<std::ptrdiff_t>(k.begin + k.sums), k.maxima, lowest);
   }
   for (const Row& row : rows_) {
-    const Kind& kind = kinds_[static_cast<std::size_t>(row.item)];
-    any_[static_cast<std::size_t>(row.item)] = 1;
+    const Kind& kind = kinds_[row.item];
+    any_[row.item] = 1;
     for (std::size_t c = 0; c < kind.sums; ++c) {
       double &sum = total_[kind.begin + c], &rest = rest_[kind.begin + c];
       const double x = values_[row.begin + c], next = sum + x;
@@ -75,7 +75,7 @@ void OrderedSums::reduce(const parallel::World& world) {
   if (world.size() > 1) {
     parallel::Bytes bytes;
     for (const Row& row : rows_) {
-      const Kind& kind = kinds_[static_cast<std::size_t>(row.item)];
+      const Kind& kind = kinds_[row.item];
       parallel::pack(bytes, row.order);
       parallel::pack(bytes, row.item);
       parallel::pack(bytes, values_.data() + row.begin, kind.sums + kind.maxima);
@@ -89,10 +89,10 @@ void OrderedSums::reduce(const parallel::World& world) {
 }
 
 std::span<const double> OrderedSums::total(int item) const {
-  const Kind& kind = kinds_[static_cast<std::size_t>(item)];
+  const Kind& kind = kinds_[item];
   return {total_.data() + kind.begin, kind.sums + kind.maxima};
 }
 
-bool OrderedSums::any(int item) const { return any_[static_cast<std::size_t>(item)] != 0; }
+bool OrderedSums::any(int item) const { return any_[item] != 0; }
 
 }  // namespace recoil

@@ -63,7 +63,7 @@ Team::~Team() {
 
 int Team::threads() const { return static_cast<int>(pool_->scratch.size()); }
 
-Scratch& Team::scratch(int worker) { return *pool_->scratch[static_cast<std::size_t>(worker)]; }
+Scratch& Team::scratch(int worker) { return *pool_->scratch[worker]; }
 
 void Team::run(int items, const std::function<void(int, int)>& task) {
   Pool& p = *pool_;

@@ -35,7 +35,7 @@ void for_each_block(Team& team, const std::vector<int>& blocks, F&& f) {
   team.run(static_cast<int>(blocks.size()), [&](int item, int worker) {
     Scratch& scratch = team.scratch(worker);
     const Scratch::Frame frame(scratch);
-    f(blocks[static_cast<std::size_t>(item)], scratch);
+    f(blocks[item], scratch);
   });
 }
 

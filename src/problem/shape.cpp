@@ -15,7 +15,7 @@ using config::Shape;
 template <int Dim>
 Vec<Dim> cut(const config::Vector& v) {
   Vec<Dim> x;
-  for (int d = 0; d < Dim; ++d) x[d] = v[static_cast<std::size_t>(d)];
+  for (int d = 0; d < Dim; ++d) x[d] = v[d];
   return x;
 }
 
@@ -33,7 +33,7 @@ double from_slabs(const std::array<double, N>& slab) {
 template <int Dim>
 double box_distance(const Vec<Dim>& lo, const Vec<Dim>& hi, const Vec<Dim>& x) {
   std::array<double, Dim> slab{};
-  for (int d = 0; d < Dim; ++d) slab[static_cast<std::size_t>(d)] = std::max(lo[d] - x[d], x[d] - hi[d]);
+  for (int d = 0; d < Dim; ++d) slab[d] = std::max(lo[d] - x[d], x[d] - hi[d]);
   return from_slabs(slab);
 }
 
@@ -67,7 +67,7 @@ double polygon_distance(const std::vector<std::array<double, 2>>& v, const confi
                         bool turned, const Vec<2>& x) {
   Vec<2> within = x;
   for (int d = 0; d < 2 && !turned; ++d) {
-    const double lo = domain.lo[static_cast<std::size_t>(d)], hi = domain.hi[static_cast<std::size_t>(d)];
+    const double lo = domain.lo[d], hi = domain.hi[d];
     within[d] = std::clamp(x[d], lo + 1e-9 * (hi - lo), hi - 1e-9 * (hi - lo));
   }
   double nearest2 = 1e300;

@@ -17,7 +17,7 @@ namespace {
 template <int Dim>
 Vec<Dim> first_components(const config::Vector& v) {
   Vec<Dim> x;
-  for (int d = 0; d < Dim; ++d) x[d] = v[static_cast<std::size_t>(d)];
+  for (int d = 0; d < Dim; ++d) x[d] = v[d];
   return x;
 }
 
@@ -79,7 +79,7 @@ template <int Dim>
 void place_body(State<Dim>& state, int m, const config::Body& from,
                 const std::function<double(const Vec<Dim>&)>& distance) {
   const Grid<Dim>& grid = state.grid();
-  Body<Dim>& body = state.bodies[static_cast<std::size_t>(m)];
+  Body<Dim>& body = state.bodies[m];
   const double far = far_cells * grid.dx;
   const Box<Dim> layout = grid.layout();
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
@@ -93,8 +93,7 @@ void place_body(State<Dim>& state, int m, const config::Body& from,
     enter_block(body, slot, grid);
     BodyBlock<Dim>& b = body.at(slot);
     for_each(cells, [&](const Index<Dim>& i) {
-      b.phi[static_cast<std::size_t>(layout.at(i - cells.lo))] =
-          std::clamp(distance(grid.centre(i)), -far, far);
+      b.phi[layout.at(i - cells.lo)] = std::clamp(distance(grid.centre(i)), -far, far);
     });
     b.phi_next = b.phi;
     if (!body.rigid) fill_block(grid, cells, from, distance, body.material, b);
@@ -116,7 +115,7 @@ void check_whole(const Grid<Dim>& grid, const std::string& name,
                  const std::function<double(const Vec<Dim>&)>& distance) {
   for (int d = 0; d < Dim; ++d)
     for (int side = 0; side < 2; ++side) {
-      if (grid.edge[static_cast<std::size_t>(d)][static_cast<std::size_t>(side)] != Edge::reflect) continue;
+      if (grid.edge[d][side] != Edge::reflect) continue;
       if (grid.axisymmetric && d == 0 && side == 0) continue;
       Box<Dim> layer = grid.domain();
       (side == 0 ? layer.hi : layer.lo)[d] = side == 0 ? layer.lo[d] + 1 : layer.hi[d] - 1;
@@ -136,13 +135,13 @@ RigidMotion<Dim> rigid_motion(const Grid<Dim>& grid, const config::Body& from,
   RigidMotion<Dim> m;
   m.distance = distance;
   Vec<3> spin;
-  for (int d = 0; d < 3; ++d) spin[d] = from.spin[static_cast<std::size_t>(d)];
+  for (int d = 0; d < 3; ++d) spin[d] = from.spin[d];
   set_moving(m, first_components<Dim>(from.velocity), spin);
   m.start_centre = m.centre = first_components<Dim>(from.spin_centre);
   if (!(from.mass > 0)) return m;
   check_whole(grid, from.name, distance);
   Vec<3> inertia;
-  for (int d = 0; d < 3; ++d) inertia[d] = from.inertia[static_cast<std::size_t>(d)];
+  for (int d = 0; d < 3; ++d) inertia[d] = from.inertia[d];
   set_free(m, from.mass / (grid.axisymmetric ? 2 * std::numbers::pi : 1), inertia);
   return m;
 }

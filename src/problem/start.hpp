@@ -2,7 +2,7 @@
 
 #include "config/case.hpp"
 #include "config/diagnostics.hpp"
-#include "cutcell/body.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 

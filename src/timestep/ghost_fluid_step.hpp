@@ -10,9 +10,9 @@ namespace recoil {
 template <int Dim>
 double advance_ghost_fluid(State<Dim>& state, const Stepping& stepping, double until, Engine& engine);
 
-/// As settle_start(), and gives every piece the volume that the level set shows, so that sums at the start
-/// are those that later ones are compared with.
+/// As prepare_start(), and gives every fragment the volume that the level set shows, so that sums at the
+/// start are those that later ones are compared with.
 template <int Dim>
-void settle_whole_cells(State<Dim>& state, Engine& engine);
+void prepare_whole_cell_start(State<Dim>& state, Engine& engine);
 
 }  // namespace recoil

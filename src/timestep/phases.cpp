@@ -48,13 +48,13 @@ Phases<Dim>::Phases(State<Dim>& state, Engine& engine) : state_(state), engine_(
 
 template <int Dim>
 void Phases<Dim>::share(unsigned parts) {
-  const Timers<StepPart>::Span span(engine_.timers, StepPart::exchange);
+  const Timers<StepPhase>::Span span(engine_.timers, StepPhase::exchange);
   recoil::share(state_, engine_.world, parts);
 }
 
 template <int Dim>
 void Phases<Dim>::average_states() {
-  for_each_body(StepPart::averages, [&](Body<Dim>& body, int slot, Scratch&) {
+  for_each_body(StepPhase::averages, [&](Body<Dim>& body, int slot, Scratch&) {
     choose_roles(state_, body, slot, counters(slot));
     average_primitives(state_, body, slot, counters(slot));
   });
@@ -62,7 +62,7 @@ void Phases<Dim>::average_states() {
 
 template <int Dim>
 void Phases<Dim>::refresh_averages() {
-  for_each_body(StepPart::averages, [&](Body<Dim>& body, int slot, Scratch&) {
+  for_each_body(StepPhase::averages, [&](Body<Dim>& body, int slot, Scratch&) {
     average_primitives(state_, body, slot, counters(slot));
   });
 }
@@ -70,8 +70,8 @@ void Phases<Dim>::refresh_averages() {
 template <int Dim>
 double Phases<Dim>::choose_length(const Stepping& stepping, double until) {
   std::vector<double> fastest(static_cast<std::size_t>(state_.mesh.local()), 0);
-  for_each_body(StepPart::averages, [&](Body<Dim>& body, int slot, Scratch&) {
-    double& f = fastest[static_cast<std::size_t>(slot)];
+  for_each_body(StepPhase::averages, [&](Body<Dim>& body, int slot, Scratch&) {
+    double& f = fastest[slot];
     f = std::max(f, fastest_signal(state_, body, slot, counters(slot)));
   });
   const double signal = engine_.world.max(largest(fastest));
@@ -85,7 +85,7 @@ double Phases<Dim>::choose_length(const Stepping& stepping, double until) {
 
 template <int Dim>
 void Phases<Dim>::keep_old() {
-  for_each_body(StepPart::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
+  for_each_body(StepPhase::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
     BodyBlock<Dim>& b = body.at(slot);
     b.contents_old = b.contents;
     b.volume_old = b.volume;
@@ -93,9 +93,9 @@ void Phases<Dim>::keep_old() {
 }
 
 template <int Dim>
-void Phases<Dim>::carry_surfaces_half(double dt) {
-  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    carry(state_, body, slot, 0.5 * dt, scratch);
+void Phases<Dim>::advect_surfaces_half(double dt) {
+  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    advect_level_set(state_, body, slot, 0.5 * dt, scratch);
   });
   place_rigid_bodies(0.5 * dt, PhiAt::midstep);
   share(part_phi_next);
@@ -103,94 +103,93 @@ void Phases<Dim>::carry_surfaces_half(double dt) {
 
 template <int Dim>
 void Phases<Dim>::cut_cells(Surfaces surfaces, PhiAt when, double ahead) {
-  for_each_slot(StepPart::geometry, [&](int slot, Scratch& scratch) {
+  for_each_slot(StepPhase::geometry, [&](int slot, Scratch& scratch) {
     find_geometry(state_, slot, surfaces, when, scratch, ahead);
   });
-  share(when == PhiAt::midstep ? part_geometry : part_settled);
+  share(when == PhiAt::midstep ? part_geometry : part_end_geometry);
 }
 
 template <int Dim>
 void Phases<Dim>::choose_donors_and_ghosts(Cells cells) {
   share(part_average);
-  for_each_body(StepPart::fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  for_each_body(StepPhase::fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     choose_donors(state_, body, slot, counters(slot), scratch);
   });
   share(part_geometry);
-  for_each_body(StepPart::fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  for_each_body(StepPhase::fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     choose_ghosts(state_, body, slot, cells, scratch);
   });
 }
 
 template <int Dim>
-void Phases<Dim>::find_walls(double dt, double share) {
-  for_each_slot(StepPart::walls, [&](int slot, Scratch& scratch) {
+void Phases<Dim>::find_walls(double dt, double weight) {
+  for_each_slot(StepPhase::walls, [&](int slot, Scratch& scratch) {
     for (Body<Dim>& body : state_.bodies)
       if (!body.rigid && body.present(slot)) evaluate_fits(state_, body, slot);
-    recoil::find_walls(state_, slot, dt, share, scratch);
+    recoil::find_walls(state_, slot, dt, weight, scratch);
   });
 }
 
 template <int Dim>
 void Phases<Dim>::fill_values() {
-  for_each_body(StepPart::values, [&](Body<Dim>& body, int slot, Scratch&) {
+  for_each_body(StepPhase::values, [&](Body<Dim>& body, int slot, Scratch&) {
     fill_stencil_values(state_, body, slot, counters(slot));
   });
 }
 
 template <int Dim>
-void Phases<Dim>::update_matter(double dt, double share) {
-  for_each_slot(StepPart::flux, [&](int slot, Scratch& scratch) {
+void Phases<Dim>::update_matter(double dt, double weight) {
+  for_each_slot(StepPhase::flux, [&](int slot, Scratch& scratch) {
     for (int m = 0; m < state_.count(); ++m) {
-      Body<Dim>& body = state_.bodies[static_cast<std::size_t>(m)];
+      Body<Dim>& body = state_.bodies[m];
       if (body.rigid || !body.present(slot)) continue;
       const Scratch::Frame frame(scratch);
-      auto& ledger = state_.ledger[static_cast<std::size_t>(slot)];
-      update_block(state_, body, slot, dt, share, ledger.edges[static_cast<std::size_t>(m)], ledger.counters,
-                   scratch);
+      auto& ledger = state_.ledger[slot];
+      update_block(state_, body, slot, dt, weight, ledger.edges[m], ledger.counters, scratch);
     }
   });
 }
 
 template <int Dim>
-void Phases<Dim>::apply(StepPart part) {
+void Phases<Dim>::apply(StepPhase part) {
   for_each_body(part, [](Body<Dim>& body, int slot, Scratch&) { apply_updates(body.at(slot)); });
   share(part_matter);
 }
 
 template <int Dim>
-void Phases<Dim>::redistribute_small_pieces() {
-  for_each_body(StepPart::redistribution, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+void Phases<Dim>::redistribute_small_fragments() {
+  for_each_body(StepPhase::redistribution, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     redistribute(state_, body, slot, counters(slot), scratch);
   });
-  apply(StepPart::redistribution);
+  apply(StepPhase::redistribution);
 }
 
 template <int Dim>
-void Phases<Dim>::mend_bad_states() {
+void Phases<Dim>::average_inadmissible_states() {
   for (int width = 1; width <= 3; ++width) {
-    for_each_body(StepPart::redistribution, [&](Body<Dim>& body, int slot, Scratch&) {
-      counters(slot).averaged_states += mark_bad_states(state_, body, slot);
+    for_each_body(StepPhase::redistribution, [&](Body<Dim>& body, int slot, Scratch&) {
+      counters(slot).averaged_states += mark_inadmissible(state_, body, slot);
     });
     std::int64_t bad = 0;
     for (const int slot : blocks_)
       for (const Body<Dim>& body : state_.bodies)
-        if (!body.rigid && body.present(slot)) bad += has_bad_state(body.at(slot));
+        if (!body.rigid && body.present(slot)) bad += has_inadmissible(body.at(slot));
     if (!engine_.world.any(bad > 0)) return;
     share(part_average);
-    for_each_body(StepPart::redistribution, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-      average_bad_states(state_, body, slot, width, scratch);
+    for_each_body(StepPhase::redistribution, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+      average_inadmissible(state_, body, slot, width, scratch);
     });
-    apply(StepPart::redistribution);
+    apply(StepPhase::redistribution);
   }
-  for_each_body(StepPart::redistribution,
-                [&](Body<Dim>& body, int slot, Scratch&) { clear_bad_states(body.at(slot)); });
+  for_each_body(StepPhase::redistribution,
+                [&](Body<Dim>& body, int slot, Scratch&) { clear_inadmissible(body.at(slot)); });
 }
 
 template <int Dim>
-void Phases<Dim>::return_to_yield(double dt, double old_part) {
-  for_each_body(StepPart::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
+void Phases<Dim>::return_to_yield(double dt, double old_weight) {
+  for_each_body(StepPhase::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
     recoil::return_to_yield(state_, body, slot, dt);
-    if (old_part > 0) combine_with_old(state_, body, slot, old_part);
+    if (old_weight > 0) combine_with_old(state_, body, slot, old_weight);
   });
 }
 
@@ -203,15 +202,16 @@ void Phases<Dim>::swap_phi() {
 }
 
 template <int Dim>
-void Phases<Dim>::carry_surfaces(double dt) {
-  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+void Phases<Dim>::advect_surfaces(double dt) {
+  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     spread_wall_velocity(state_, body, slot, dt, counters(slot), scratch);
   });
-  for_each_body(StepPart::level_set,
-                [&](Body<Dim>& body, int slot, Scratch& scratch) { carry(state_, body, slot, dt, scratch); });
+  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    advect_level_set(state_, body, slot, dt, scratch);
+  });
   share(part_phi_next);
-  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    carry_again(state_, body, slot, dt, scratch);
+  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    advect_level_set_again(state_, body, slot, dt, scratch);
   });
   place_rigid_bodies(0, PhiAt::now);
   share(part_phi);
@@ -221,7 +221,7 @@ template <int Dim>
 void Phases<Dim>::cut_out_rigid_bodies() {
   const auto rigid = [](const Body<Dim>& body) { return body.rigid.has_value(); };
   if (std::none_of(state_.bodies.begin(), state_.bodies.end(), rigid)) return;
-  for_each_body(StepPart::level_set,
+  for_each_body(StepPhase::level_set,
                 [&](Body<Dim>& body, int slot, Scratch&) { cut_out_rigid(state_, body, slot); });
   share(part_phi);
 }
@@ -235,13 +235,13 @@ void Phases<Dim>::place_rigid_bodies(double ahead, PhiAt where) {
 
 template <int Dim>
 void Phases<Dim>::move_rigid_bodies(double dt) {
-  const Timers<StepPart>::Span span(engine_.timers, StepPart::walls);
+  const Timers<StepPhase>::Span span(engine_.timers, StepPhase::walls);
   recoil::move_rigid_bodies(state_, engine_.world, dt);
 }
 
 template <int Dim>
 void Phases<Dim>::remember_contact() {
-  for_each_body(StepPart::walls,
+  for_each_body(StepPhase::walls,
                 [](Body<Dim>& body, int slot, Scratch&) { recoil::remember_contact(body.at(slot)); });
   share(part_contact);
 }
@@ -249,15 +249,14 @@ void Phases<Dim>::remember_contact() {
 template <int Dim>
 void Phases<Dim>::redistance(double dt) {
   std::vector<double> fastest(static_cast<std::size_t>(state_.mesh.local()), 0);
-  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch&) {
+  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch&) {
     for (const Wall<Dim>& w : body.at(slot).walls)
-      fastest[static_cast<std::size_t>(slot)] =
-          std::max(fastest[static_cast<std::size_t>(slot)], norm(w.mean_velocity));
+      fastest[slot] = std::max(fastest[slot], norm(w.mean_velocity));
   });
   state_.travel += dt * engine_.world.max(largest(fastest));
   const bool all = state_.travel > travel_to_redistance * state_.grid().dx;
   if (all) state_.travel = 0;
-  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     if (body.at(slot).near_surface)
       recoil::redistance(state_, body, slot, all ? 4 : 2, all ? -1 : frozen_band, scratch);
     else
@@ -269,23 +268,23 @@ void Phases<Dim>::redistance(double dt) {
 template <int Dim>
 void Phases<Dim>::exchange_along_surfaces() {
   if (Dim == 1) return;
-  for_each_body(StepPart::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  for_each_body(StepPhase::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     exchange_along_surface(state_, body, slot, scratch);
   });
-  apply(StepPart::moves);
+  apply(StepPhase::moves);
 }
 
 template <int Dim>
 void Phases<Dim>::follow_volumes() {
-  for_each_body(StepPart::level_set,
+  for_each_body(StepPhase::level_set,
                 [&](Body<Dim>& body, int slot, Scratch&) { measure_mismatch(state_, body, slot); });
   follow_mismatch(follow_rate);
 }
 
 template <int Dim>
 void Phases<Dim>::follow_mismatch(double rate) {
-  share(part_settled);
-  for_each_body(StepPart::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  share(part_end_geometry);
+  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     follow_volume(state_, body, slot, rate, scratch);
   });
   swap_phi();
@@ -293,27 +292,27 @@ void Phases<Dim>::follow_mismatch(double rate) {
 
 template <int Dim>
 void Phases<Dim>::empty_and_fill() {
-  for_each_body(StepPart::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  for_each_body(StepPhase::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     empty_outside(state_, body, slot, scratch);
   });
-  apply(StepPart::moves);
-  for_each_body(StepPart::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  apply(StepPhase::moves);
+  for_each_body(StepPhase::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     fill_inside(state_, body, slot, scratch);
   });
-  apply(StepPart::moves);
+  apply(StepPhase::moves);
 }
 
 template <int Dim>
 void Phases<Dim>::bound_volumes() {
-  for_each_body(StepPart::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  for_each_body(StepPhase::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     recoil::bound_volumes(state_, body, slot, counters(slot), scratch);
   });
-  apply(StepPart::moves);
+  apply(StepPhase::moves);
 }
 
 template <int Dim>
 void Phases<Dim>::update_bands() {
-  const Timers<StepPart>::Span span(engine_.timers, StepPart::band);
+  const Timers<StepPhase>::Span span(engine_.timers, StepPhase::band);
   std::vector<int> all(static_cast<std::size_t>(state_.mesh.local()));
   std::iota(all.begin(), all.end(), 0);
   const auto bodies = static_cast<std::size_t>(state_.count());

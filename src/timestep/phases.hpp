@@ -3,18 +3,18 @@
 #include <vector>
 
 #include "cutcell/geometry.hpp"
-#include "cutcell/share.hpp"
 #include "cutcell/whole_cells.hpp"
 #include "dynamics/block_update.hpp"
 #include "dynamics/classic_stages.hpp"
+#include "state/share.hpp"
 #include "timestep/step.hpp"
 
 namespace recoil {
 
-/// SSP-RK3 (Shu & Osher 1988): each stage is a full Euler step, mixed with `old_part` of the old state;
-/// `share` is its weight in the whole step.
+/// SSP-RK3 (Shu & Osher 1988): each stage is a full Euler step, mixed with `old_weight` of the old state;
+/// `weight` is its weight in the whole step.
 struct Stage {
-  double old_part, share;
+  double old_weight, weight;
 };
 inline constexpr std::array<Stage, 3> ssp_rk3{{{0, 1.0 / 6}, {0.75, 1.0 / 6}, {1.0 / 3, 2.0 / 3}}};
 
@@ -25,30 +25,30 @@ class Phases {
  public:
   Phases(State<Dim>& state, Engine& engine);
 
-  /// Chooses what each piece is good for, and finds the primitives of all averages.
+  /// Chooses what each fragment is good for, and finds the primitives of all averages.
   void average_states();
   /// The stable step, cut to end at `until`. @throws PhysicsError if it collapses.
   double choose_length(const Stepping& stepping, double until);
   void keep_old();
-  /// phi_next = phi half a step on, with the last step's carrier.
-  void carry_surfaces_half(double dt);
+  /// phi_next = phi half a step on, with the last step's extension_velocity.
+  void advect_surfaces_half(double dt);
   /// @param ahead seconds from now to `when`.
   void cut_cells(Surfaces surfaces, PhiAt when, double ahead = 0);
   void choose_donors_and_ghosts(Cells cells = Cells::cut);
 
-  void find_walls(double dt, double share);
+  void find_walls(double dt, double weight);
   void fill_values();
-  void update_matter(double dt, double share);
-  void redistribute_small_pieces();
+  void update_matter(double dt, double weight);
+  void redistribute_small_fragments();
   /// Averages inadmissible states with what is around them, in wider and wider windows, and counts them.
-  void mend_bad_states();
-  void return_to_yield(double dt, double old_part);
+  void average_inadmissible_states();
+  void return_to_yield(double dt, double old_weight);
   /// Primitives of the new averages, with the roles of the step.
   void refresh_averages();
 
   /// To the end of the step; free ones with what their contacts have given them.
   void move_rigid_bodies(double dt);
-  void carry_surfaces(double dt);
+  void advect_surfaces(double dt);
   void remember_contact();
   void redistance(double dt);
   /// No level set reaches into a rigid body.
@@ -63,10 +63,10 @@ class Phases {
   /// The start of their step: whole cells, the stable step (returned), the surfaces half a step on, donors.
   double prepare_whole_cells(const Stepping& stepping, double until);
   /// Riemann-Signorini states of all walls, and the ghosts that speak for them.
-  void find_ghosts(double dt, double share);
+  void find_ghosts(double dt, double weight);
   /// The same by the traction rule of the seed scheme.
-  void find_seed_ghosts(double kappa, double dt, double share);
-  void update_whole_cells(FaceScheme scheme, double dt, double share);
+  void find_seed_ghosts(double kappa, double dt, double weight);
+  void update_whole_cells(FaceScheme scheme, double dt, double weight);
   /// One stage of the classical Runge-Kutta rule: Q = Q_old + length dt R, or the whole step if it is the
   /// last.
   void update_classic(FaceScheme scheme, const ClassicStage& stage, bool last, double dt);
@@ -75,17 +75,17 @@ class Phases {
   void redistance_all(int sweeps);
   /// Moves surfaces in contact a little (part `rate` of what is left) onto each other.
   void close_gaps(double rate);
-  void show_pieces();
+  void to_cut_cells();
 
   void share(unsigned parts);
 
  private:
   template <class F>
-  void for_each_body(StepPart part, F&& f);  // f(body, slot, scratch), deformable bodies where they are
+  void for_each_body(StepPhase part, F&& f);  // f(body, slot, scratch), deformable bodies where they are
   template <class F>
-  void for_each_slot(StepPart part, F&& f);  // f(slot, scratch)
-  Counters& counters(int slot) { return state_.ledger[static_cast<std::size_t>(slot)].counters; }
-  void take_whole_cells();
+  void for_each_slot(StepPhase part, F&& f);  // f(slot, scratch)
+  Counters& counters(int slot) { return state_.ledger[slot].counters; }
+  void to_whole_cells();
   /// Cuts every body by its own mid-step level set, `ahead` seconds from now, with the donors in the middle
   /// of their whole cells.
   void find_surfaces(double ahead);
@@ -94,7 +94,7 @@ class Phases {
   void swap_phi();
   void follow_mismatch(double rate);
   void place_rigid_bodies(double ahead, PhiAt where);
-  void apply(StepPart part);
+  void apply(StepPhase part);
 
   State<Dim>& state_;
   Engine& engine_;
@@ -103,14 +103,14 @@ class Phases {
 
 template <int Dim>
 template <class F>
-void Phases<Dim>::for_each_slot(StepPart part, F&& f) {
-  const Timers<StepPart>::Span span(engine_.timers, part);
+void Phases<Dim>::for_each_slot(StepPhase part, F&& f) {
+  const Timers<StepPhase>::Span span(engine_.timers, part);
   parallel::for_each_block(engine_.team, blocks_, f);
 }
 
 template <int Dim>
 template <class F>
-void Phases<Dim>::for_each_body(StepPart part, F&& f) {
+void Phases<Dim>::for_each_body(StepPhase part, F&& f) {
   for_each_slot(part, [&](int slot, Scratch& scratch) {
     for (Body<Dim>& body : state_.bodies) {
       if (body.rigid || !body.present(slot)) continue;

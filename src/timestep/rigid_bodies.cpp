@@ -16,7 +16,7 @@ struct Given {
 
   Vec<Dim> impulse() const {
     Vec<Dim> p;
-    for (int d = 0; d < Dim; ++d) p[d] = row[static_cast<std::size_t>(d)];
+    for (int d = 0; d < Dim; ++d) p[d] = row[d];
     return p;
   }
   Vec<3> moment() const { return {{row[Dim], row[Dim + 1], row[Dim + 2]}}; }
@@ -30,11 +30,10 @@ void add_block(const State<Dim>& state, int slot, int m, std::span<double> row) 
   for (int other = 0; other < n; ++other) {
     if (other == m) continue;
     const PairRecord<Dim>& p =
-        state.ledger[static_cast<std::size_t>(slot)]
-            .pairs[static_cast<std::size_t>(pair_number(std::min(m, other), std::max(m, other), n))];
+        state.ledger[slot].pairs[pair_number(std::min(m, other), std::max(m, other), n)];
     const double sign = m < other ? 1 : -1;
-    for (int d = 0; d < Dim; ++d) row[static_cast<std::size_t>(d)] += sign * p.exchanged.momentum[d];
-    for (int d = 0; d < 3; ++d) row[static_cast<std::size_t>(Dim + d)] += sign * p.moment[d];
+    for (int d = 0; d < Dim; ++d) row[d] += sign * p.exchanged.momentum[d];
+    for (int d = 0; d < 3; ++d) row[Dim + d] += sign * p.moment[d];
     row[Given<Dim>::width - 1] += sign * p.exchanged.energy;
   }
 }
@@ -65,7 +64,7 @@ template <int Dim>
 void move_rigid_bodies(State<Dim>& state, const parallel::World& world, double dt) {
   std::vector<int> free;
   for (int m = 0; m < state.count(); ++m) {
-    Body<Dim>& body = state.bodies[static_cast<std::size_t>(m)];
+    Body<Dim>& body = state.bodies[m];
     if (!body.rigid) continue;
     if (body.rigid->mass)
       free.push_back(m);
@@ -77,8 +76,7 @@ void move_rigid_bodies(State<Dim>& state, const parallel::World& world, double d
   for (std::size_t k = 0; k < free.size(); ++k) {
     Vec<Dim> impulse = given[k].impulse();
     if (state.grid().axisymmetric) impulse[0] = 0;  // what lies on the axis moves along it
-    move_rigid(*state.bodies[static_cast<std::size_t>(free[k])].rigid, dt, impulse, given[k].moment(),
-               given[k].work());
+    move_rigid(*state.bodies[free[k]].rigid, dt, impulse, given[k].moment(), given[k].work());
   }
 }
 

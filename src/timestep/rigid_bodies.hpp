@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cutcell/body.hpp"
 #include "parallel/world.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 

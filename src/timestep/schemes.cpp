@@ -8,10 +8,10 @@ namespace recoil {
 
 template <int Dim>
 Scheme<Dim> scheme_of(const std::string& name) {
-  if (name == "ghost-fluid") return {&settle_whole_cells<Dim>, &advance_ghost_fluid<Dim>};
-  if (name == "seed") return {&settle_whole_cells<Dim>, &advance_seed<Dim>};
+  if (name == "ghost-fluid") return {&prepare_whole_cell_start<Dim>, &advance_ghost_fluid<Dim>};
+  if (name == "seed") return {&prepare_whole_cell_start<Dim>, &advance_seed<Dim>};
   require(name == "conservative", "no such scheme");
-  return {&settle_start<Dim>, &advance<Dim>};
+  return {&prepare_start<Dim>, &advance<Dim>};
 }
 
 template Scheme<1> scheme_of<1>(const std::string&);

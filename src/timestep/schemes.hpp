@@ -9,7 +9,7 @@ namespace recoil {
 /// How a scheme starts, and its step.
 template <int Dim>
 struct Scheme {
-  void (*settle)(State<Dim>&, Engine&);
+  void (*prepare)(State<Dim>&, Engine&);
   double (*advance)(State<Dim>&, const Stepping&, double until, Engine&);
 };
 

@@ -19,7 +19,7 @@ double advance_seed(State<Dim>& state, const Stepping& stepping, double until, E
     const bool last = &stage == &rk4.back();
     step.find_seed_ghosts(stepping.kappa, dt, stage.weight);  // contact or void, by the traction
     step.update_classic(FaceScheme::eno_llf, stage, last, dt);
-    step.mend_bad_states();
+    step.average_inadmissible_states();
     step.return_to_yield(stage.length * dt, 0);
     step.share(part_matter);
     step.refresh_averages();
@@ -28,12 +28,12 @@ double advance_seed(State<Dim>& state, const Stepping& stepping, double until, E
 
   // The level set goes with the walls and is redistanced everywhere.
   step.move_rigid_bodies(dt);
-  step.carry_surfaces(dt);
+  step.advect_surfaces(dt);
   step.count_lost_contacts();
   step.remember_contact();
   step.redistance_all(redistancing_sweeps);
   step.cut_cells(Surfaces::own, PhiAt::now);
-  step.show_pieces();
+  step.to_cut_cells();
   step.update_bands();
 
   state.time += dt;

@@ -3,13 +3,13 @@
 #include <optional>
 
 #include "core/timers.hpp"
-#include "cutcell/body.hpp"
 #include "parallel/team.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 
 /// Parts of a step, as `make bench` and the run log show them.
-enum class StepPart {
+enum class StepPhase {
   averages,
   geometry,
   fits,
@@ -24,7 +24,7 @@ enum class StepPart {
   band,
   count
 };
-const char* name_of(StepPart part);
+const char* name_of(StepPhase part);
 
 /// What drives the steps of a run.
 struct Stepping {
@@ -37,7 +37,7 @@ struct Stepping {
 struct Engine {
   const parallel::World& world;
   parallel::Team& team;
-  Timers<StepPart> timers;
+  Timers<StepPhase> timers;
 };
 
 /// Advances all bodies by one step of the conservative moving-boundary method (docs/theory.md), at most to
@@ -48,6 +48,6 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
 
 /// Puts the bands of all bodies in place before the first step: what advance() leaves behind. Collective.
 template <int Dim>
-void settle_start(State<Dim>& state, Engine& engine);
+void prepare_start(State<Dim>& state, Engine& engine);
 
 }  // namespace recoil

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../support/scratch_folder.hpp"
-#include "output/summary.hpp"
+#include "record/summary.hpp"
 
 namespace recoil::app {
 namespace {

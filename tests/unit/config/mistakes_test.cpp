@@ -35,7 +35,7 @@ const std::vector<std::string> lines{
 std::string with(int line, const std::string& replacement) {
   std::string text;
   for (int n = 1; n <= static_cast<int>(lines.size()); ++n)
-    text += (n == line ? replacement : lines[static_cast<std::size_t>(n - 1)]) + '\n';
+    text += (n == line ? replacement : lines[n - 1]) + '\n';
   return text;
 }
 

@@ -16,7 +16,7 @@ using V = Vec<3>;
 
 /// Two surfaces that slide past each other at v and stick: tau* = v Za Zb/(Za + Zb), one velocity on both.
 TEST(Friction, SticksBelowTheLimit) {
-  const Grip<3> g = grip<3>({V{{0, 0, 0}}, {}, za}, {V{{0, 10, 0}}, {}, zb}, infinite);
+  const ShearContact<3> g = shear_contact<3>({V{{0, 0, 0}}, {}, za}, {V{{0, 10, 0}}, {}, zb}, infinite);
   EXPECT_NEAR(g.traction[1], 10 * za * zb / (za + zb), 1e-6);
   EXPECT_FALSE(g.slips);
   EXPECT_NEAR(g.first_velocity[1], g.second_velocity[1], 1e-12);
@@ -28,7 +28,7 @@ TEST(Friction, SlipsAtTheLimitAlongTheSliding) {
   for (int n = 0; n < 200; ++n) {
     const V ua{{0, random(-50, 50), random(-50, 50)}}, ub{{0, random(-50, 50), random(-50, 50)}};
     const double limit = 1e6;
-    const Grip<3> g = grip<3>({ua, {}, za}, {ub, {}, zb}, limit);
+    const ShearContact<3> g = shear_contact<3>({ua, {}, za}, {ub, {}, zb}, limit);
     if (!g.slips) continue;
     ASSERT_NEAR(norm(g.traction), limit, 1e-9 * limit);
     const V sliding = g.second_velocity - g.first_velocity;
@@ -41,22 +41,22 @@ TEST(Friction, SlipsAtTheLimitAlongTheSliding) {
 
 TEST(Friction, NoLimitNoTraction) {
   const V shear{{0, 3e7, 0}};
-  const Grip<3> g = grip<3>({V{{0, 5, 0}}, shear, za}, {V{{0, -5, 0}}, shear, zb}, 0);
+  const ShearContact<3> g = shear_contact<3>({V{{0, 5, 0}}, shear, za}, {V{{0, -5, 0}}, shear, zb}, 0);
   EXPECT_EQ(norm(g.traction), 0);
   EXPECT_NEAR(g.first_velocity[1], 5 - 3e7 / za, 1e-12);
   EXPECT_NEAR(g.second_velocity[1], -5 + 3e7 / zb, 1e-12);
 }
 
 TEST(Friction, AFluidHoldsNothing) {
-  EXPECT_EQ(norm(grip<2>({Vec<2>{{0, 5}}, {}, 0}, {Vec<2>{{0, 0}}, {}, zb}, infinite).traction), 0);
-  EXPECT_EQ(norm(grip_rigid<2>({Vec<2>{{0, 5}}, {}, 0}, {}, infinite).traction), 0);
+  EXPECT_EQ(norm(shear_contact<2>({Vec<2>{{0, 5}}, {}, 0}, {Vec<2>{{0, 0}}, {}, zb}, infinite).traction), 0);
+  EXPECT_EQ(norm(shear_contact_rigid<2>({Vec<2>{{0, 5}}, {}, 0}, {}, infinite).traction), 0);
 }
 
 TEST(Friction, ARigidWallIsTheLimitOfAStiffBody) {
   const ShearSide<2> body{Vec<2>{{0, 30}}, Vec<2>{{0, 4e7}}, za};
   for (const double limit : {5e7, infinite}) {
-    const Grip<2> rigid = grip_rigid<2>(body, Vec<2>{{0, -3}}, limit),
-                  stiff = grip<2>(body, {Vec<2>{{0, -3}}, {}, 1e9 * za}, limit);
+    const ShearContact<2> rigid = shear_contact_rigid<2>(body, Vec<2>{{0, -3}}, limit),
+                          stiff = shear_contact<2>(body, {Vec<2>{{0, -3}}, {}, 1e9 * za}, limit);
     EXPECT_NEAR(rigid.traction[1], stiff.traction[1], 1e-6 * std::abs(rigid.traction[1]));
     EXPECT_NEAR(rigid.first_velocity[1], stiff.first_velocity[1], 1e-6);
     EXPECT_NEAR(rigid.work_velocity[1], stiff.work_velocity[1], 1e-6);
@@ -69,7 +69,8 @@ TEST(Friction, ExchangingTheBodiesTurnsTheTraction) {
   const auto reversed = [](const ShearSide<2>& s) {
     return ShearSide<2>{s.sliding, -s.traction, s.impedance};
   };
-  const Grip<2> one = grip<2>(a, b, 3e7), other = grip<2>(reversed(b), reversed(a), 3e7);
+  const ShearContact<2> one = shear_contact<2>(a, b, 3e7),
+                        other = shear_contact<2>(reversed(b), reversed(a), 3e7);
   EXPECT_NEAR(one.traction[1], -other.traction[1], 1e-3);
   EXPECT_NEAR(one.first_velocity[1], other.second_velocity[1], 1e-9);
 }

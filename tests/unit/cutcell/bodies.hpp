@@ -81,7 +81,7 @@ void for_each_piece(State<Dim>& state, int body, F&& f) {
   const Box<Dim> layout = state.grid().layout();
   for (int s = 0; s < state.mesh.local(); ++s) {
     const Box<Dim> cells = state.mesh.block(s).cells;
-    BodyBlock<Dim>& b = state.bodies[static_cast<std::size_t>(body)].at(s);
+    BodyBlock<Dim>& b = state.bodies[body].at(s);
     for_each(cells, [&](const Index<Dim>& i) { f(b, i, static_cast<std::size_t>(layout.at(i - cells.lo))); });
   }
 }
@@ -93,20 +93,20 @@ void set_piece(BodyBlock<Dim>& b, std::size_t k, double volume, const Contents<D
     b.contents[c * b.volume.size() + k] = volume * per_volume[c];
 }
 
-/// V of a piece by the settled geometry.
+/// V of a fragment by the end-of-step geometry.
 template <int Dim>
 double volume_by_phi(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const Index<Dim>& i, std::size_t k) {
-  switch (b.settled.kind[k]) {
+  switch (b.end_geometry.kind[k]) {
     case CellKind::empty:
       return 0;
     case CellKind::full:
       return grid.full_volume(i);
     default:
-      return b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])].volume;
+      return b.end_geometry.cuts[b.end_geometry.index[k]].volume;
   }
 }
 
-/// Fills a body by the settled geometry with one state.
+/// Fills a body by the end-of-step geometry with one state.
 template <int Dim>
 void fill_body(State<Dim>& state, int body, const Contents<Dim>& per_volume) {
   for_each_piece(state, body, [&](BodyBlock<Dim>& b, const Index<Dim>& i, std::size_t k) {
@@ -138,11 +138,11 @@ Primitives<Dim> some_primitives(const Material& material, std::uint64_t seed = 1
   Random random(seed);
   Primitives<Dim> w{};
   w[C::rho] = density(material) * random(0.98, 1.05);
-  for (int d = 0; d < Dim; ++d) w[static_cast<std::size_t>(C::u + d)] = random(-300, 300);
+  for (int d = 0; d < Dim; ++d) w[C::u + d] = random(-300, 300);
   w[C::p] = random(0.5e9, 3e9);
-  for (int c = 0; c < C::stresses; ++c) w[static_cast<std::size_t>(C::s + c)] = random(-1e8, 1e8);
+  for (int c = 0; c < C::stresses; ++c) w[C::s + c] = random(-1e8, 1e8);
   w[C::ep] = random(0.1, 0.3);
-  w[C::heat] = random(10, 50);
+  w[C::temperature_rise] = random(10, 50);
   return w;
 }
 
@@ -165,8 +165,7 @@ void update_all(State<Dim>& state, int body, F&& f) {
     const Scratch::Frame frame(scratch);
     f(s, scratch);
   }
-  for (int s = 0; s < state.mesh.local(); ++s)
-    apply_updates(state.bodies[static_cast<std::size_t>(body)].at(s));
+  for (int s = 0; s < state.mesh.local(); ++s) apply_updates(state.bodies[body].at(s));
 }
 
 }  // namespace recoil

@@ -97,11 +97,11 @@ TYPED_TEST(Clipping, VolumesUnderPlanesAreExact) {
 TYPED_TEST(Clipping, PieceAndRestMakeTheCell) {
   constexpr int dim = TestFixture::dim;
   TestFixture::for_random_planes([](const Vec<dim>&, double, const Corners<dim>& v) {
-    const auto piece = clip<dim>(v), rest = clip<dim>(negated<dim>(v));
-    ASSERT_NEAR(piece.fraction + rest.fraction, 1, 1e-13);
-    ASSERT_LT(norm(piece.middle - rest.middle), 1e-13);
+    const auto fragment = clip<dim>(v), rest = clip<dim>(negated<dim>(v));
+    ASSERT_NEAR(fragment.fraction + rest.fraction, 1, 1e-13);
+    ASSERT_LT(norm(fragment.middle - rest.middle), 1e-13);
     for (int d = 0; d < dim; ++d) {
-      const double moment = piece.fraction * piece.centroid[d] + rest.fraction * rest.centroid[d];
+      const double moment = fragment.fraction * fragment.centroid[d] + rest.fraction * rest.centroid[d];
       ASSERT_NEAR(moment, 0.5, 1e-12);
       for (int side = 0; side < 2; ++side)
         ASSERT_NEAR(clip_face<dim>(v, d, side).fraction + clip_face<dim>(negated<dim>(v), d, side).fraction,
@@ -131,7 +131,7 @@ TYPED_TEST(Clipping, CentroidsLieWhereSamplesSay) {
   });
 }
 
-/// The outward faces of a piece close: what they lack is the area vector of the surface, along the plane's
+/// The outward faces of a fragment close: what they lack is the area vector of the surface, along the plane's
 /// normal.
 TYPED_TEST(Clipping, FacesCloseAlongTheNormal) {
   constexpr int dim = TestFixture::dim;
@@ -141,13 +141,13 @@ TYPED_TEST(Clipping, FacesCloseAlongTheNormal) {
       area[d] = clip_face<dim>(v, d, 0).fraction - clip_face<dim>(v, d, 1).fraction;
     ASSERT_LT(norm(area - dot(area, n) * n), 1e-12);
     ASSERT_GE(dot(area, n), -1e-13);
-    const auto piece = clip<dim>(v);
-    ASSERT_GT(piece.crossings, 0);
-    ASSERT_NEAR(dot(n, piece.middle), offset, 1e-13);
+    const auto fragment = clip<dim>(v);
+    ASSERT_GT(fragment.crossings, 0);
+    ASSERT_NEAR(dot(n, fragment.middle), offset, 1e-13);
     // V = 1/Dim closed-int x . n dA
     double sum = offset * dot(area, n);
     for (int d = 0; d < dim; ++d) sum += clip_face<dim>(v, d, 1).fraction;
-    ASSERT_NEAR(piece.fraction, sum / dim, 1e-13);
+    ASSERT_NEAR(fragment.fraction, sum / dim, 1e-13);
   });
 }
 

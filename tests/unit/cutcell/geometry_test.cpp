@@ -34,10 +34,9 @@ const CutCell<Dim>* cut_at(const State<Dim>& state, int body, const Index<Dim>& 
   Index<Dim> at;
   for (int d = 0; d < Dim; ++d) at[d] = i[d] / state.grid().block[d];
   const int slot = state.mesh.find(at);
-  const auto& g = state.bodies[static_cast<std::size_t>(body)].at(slot).geometry;
-  const int k =
-      g.index[static_cast<std::size_t>(state.grid().layout().at(i - state.mesh.block(slot).cells.lo))];
-  return k < 0 ? nullptr : &g.cuts[static_cast<std::size_t>(k)];
+  const auto& g = state.bodies[body].at(slot).geometry;
+  const int k = g.index[state.grid().layout().at(i - state.mesh.block(slot).cells.lo)];
+  return k < 0 ? nullptr : &g.cuts[k];
 }
 
 TYPED_TEST(Geometries, ABallHasItsVolumeAndSurface) {
@@ -49,8 +48,8 @@ TYPED_TEST(Geometries, ABallHasItsVolumeAndSurface) {
   Vec<dim> closed;
   for_each_piece(state, 0, [&](BodyBlock<dim>& b, const Index<dim>& i, std::size_t k) {
     volume += volume_by_phi(this->grid, b, i, k);
-    if (b.settled.kind[k] != CellKind::cut) return;
-    const auto& cut = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])];
+    if (b.end_geometry.kind[k] != CellKind::cut) return;
+    const auto& cut = b.end_geometry.cuts[b.end_geometry.index[k]];
     area += norm(cut.surface);
     closed += cut.surface;
     EXPECT_LT(std::abs(norm(cut.point - this->middle) - radius), 0.1 * this->grid.dx);
@@ -74,7 +73,7 @@ TYPED_TEST(Geometries, UnderAPlaneVolumesAndNormalsAreExact) {
     for (int d = 0; d < dim; ++d)
       if (i[d] == 0 || i[d] == this->grid.cells[d] - 1) return;  // phi is constant beyond open edges
     if (b.geometry.kind[k] != CellKind::cut) return;
-    const auto& cut = b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[k])];
+    const auto& cut = b.geometry.cuts[b.geometry.index[k]];
     ++cuts;
     EXPECT_LT(norm(cut.surface - dot(cut.surface, n) * n), 1e-12);
     EXPECT_NEAR(dot(cut.point - this->middle, n), 0, 1e-12);
@@ -101,7 +100,7 @@ TYPED_TEST(Geometries, NeighboursShareTheOpenAreasOfTheirFaces) {
     for_each(domain, [&](Index<dim> i) {
       const auto at = static_cast<std::size_t>(domain.at(i));
       if (++i[d] == domain.hi[d]) return;
-      const double there = low[static_cast<std::size_t>(domain.at(i))];
+      const double there = low[domain.at(i)];
       ASSERT_EQ(high[at], there);
       partly += there > 0 && there < this->grid.full_area(i, d);
     });
@@ -112,10 +111,10 @@ TYPED_TEST(Geometries, NeighboursShareTheOpenAreasOfTheirFaces) {
       std::vector<double> area(static_cast<std::size_t>(faces.size()), -1);
       open_areas(this->grid, Window<dim>(state.mesh, s, 1), state.bodies[0].at(s).geometry, d, area.data());
       for_each(state.mesh.block(s).cells, [&](Index<dim> i) {
-        ASSERT_EQ(area[static_cast<std::size_t>(faces.at(i))], low[static_cast<std::size_t>(domain.at(i))]);
-        const double h = high[static_cast<std::size_t>(domain.at(i))];
+        ASSERT_EQ(area[faces.at(i)], low[domain.at(i)]);
+        const double h = high[domain.at(i)];
         ++i[d];
-        ASSERT_EQ(area[static_cast<std::size_t>(faces.at(i))], h);
+        ASSERT_EQ(area[faces.at(i)], h);
       });
     }
   }
@@ -277,7 +276,7 @@ TYPED_TEST(Geometries, NormalsOfRigidBodies) {
   EXPECT_NEAR(rigid_normal(mirrored, round, pose_after(round, 0), pole)[dim - 1], 1, 1e-12);
 }
 
-/// Pieces of a cone r < a + b z: exact by Pappus's rule, whatever the tilt of its mantle.
+/// MovesView of a cone r < a + b z: exact by Pappus's rule, whatever the tilt of its mantle.
 TEST(AxisymmetricGeometry, AConeHasItsVolumeAndItsSurfacesClose) {
   const auto grid = make_axisymmetric_grid(24, 24, 12);
   const double slope = 0.37, at_origin = 1.6;
@@ -290,8 +289,8 @@ TEST(AxisymmetricGeometry, AConeHasItsVolumeAndItsSurfacesClose) {
   for_each_piece(state, 0, [&](BodyBlock<2>& b, const Index<2>& i, std::size_t k) {
     if (i[1] == 0 || i[1] == 23) return;  // phi is constant beyond open edges
     volume += volume_by_phi(grid, b, i, k);
-    if (b.settled.kind[k] != CellKind::cut) return;
-    const auto& cut = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])];
+    if (b.end_geometry.kind[k] != CellKind::cut) return;
+    const auto& cut = b.end_geometry.cuts[b.end_geometry.index[k]];
     mantle += norm(cut.surface);
     EXPECT_NEAR(cut.surface[1], -slope * cut.surface[0], 1e-13);
     EXPECT_NEAR(cut.open[0][1] - cut.open[0][0] + cut.surface[0], cut.plane_area, 1e-15);
@@ -313,8 +312,8 @@ TEST(AxisymmetricGeometry, ABallOnTheAxis) {
   double volume = 0, area = 0, along = 0;
   for_each_piece(state, 0, [&](BodyBlock<2>& b, const Index<2>& i, std::size_t k) {
     volume += volume_by_phi(grid, b, i, k);
-    if (b.settled.kind[k] != CellKind::cut) return;
-    const auto& cut = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])];
+    if (b.end_geometry.kind[k] != CellKind::cut) return;
+    const auto& cut = b.end_geometry.cuts[b.end_geometry.index[k]];
     area += norm(cut.surface);
     along += cut.surface[1];
   });
@@ -330,9 +329,7 @@ TYPED_TEST(Geometries, NormalsAndInterpolationAreExactForLinearFunctions) {
   const auto mesh = make_test_mesh(this->grid);
   const Window<dim> w(mesh, 0, 2);
   std::vector<double> phi(static_cast<std::size_t>(w.size()));
-  for_each(w.box(), [&](const Index<dim>& i) {
-    phi[static_cast<std::size_t>(w.at(i))] = 0.3 + dot(n, this->grid.centre(i));
-  });
+  for_each(w.box(), [&](const Index<dim>& i) { phi[w.at(i)] = 0.3 + dot(n, this->grid.centre(i)); });
   for_each(w.inner(), [&](const Index<dim>& i) {
     EXPECT_LT(norm(phi_normal(w.box(), phi.data(), i, this->grid.dx) - n), 1e-12);
     const auto x = this->grid.centre(i) + this->grid.dx * random.vector<dim>(-1, 1);

@@ -36,7 +36,7 @@ struct Moves : testing::Test {
       auto q = one;
       for (double& c : q) c *= random(1 - scatter, 1 + scatter);
       double v = volume_by_phi(grid, b, i, k);
-      if (b.settled.kind[k] == CellKind::cut) v += 0.3 * scatter * random(-1, 1) * whole();
+      if (b.end_geometry.kind[k] == CellKind::cut) v += 0.3 * scatter * random(-1, 1) * whole();
       set_piece(b, k, v, q);
     });
     return state;
@@ -49,7 +49,7 @@ struct Moves : testing::Test {
     const auto after = totals(state, 0);
     for (std::size_t c = 0; c < after.size(); ++c) ASSERT_NEAR(after[c] / before[c], 1, 1e-13) << c;
   }
-  /// Every piece is still in the one state that all started from.
+  /// Every fragment is still in the one state that all started from.
   void expect_uniform(State<dim>& state) const {
     for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
       for (std::size_t c = 0; c < one.size(); ++c)
@@ -85,7 +85,7 @@ TYPED_TEST(Moves, TheExchangeAlongASurfaceConserves) {
   auto uniform = this->ball_of(0);
   Random random(2);
   for_each_piece(uniform, 0, [&](auto& b, const auto&, std::size_t k) {
-    if (b.settled.kind[k] != CellKind::cut) return;
+    if (b.end_geometry.kind[k] != CellKind::cut) return;
     set_piece(b, k, b.volume[k] + 0.2 * random(0, 1) * this->whole(), this->one);
   });
   this->run(uniform,
@@ -100,8 +100,8 @@ TYPED_TEST(Moves, TheExchangeAlongASurfaceEvensOutWhatPhiLagsBehind) {
   const auto sum = [&](State<dim>& state) {
     double h2 = 0;
     for_each_piece(state, 0, [&](auto& b, const auto&, std::size_t k) {
-      if (b.settled.kind[k] != CellKind::cut) return;
-      const auto& cut = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])];
+      if (b.end_geometry.kind[k] != CellKind::cut) return;
+      const auto& cut = b.end_geometry.cuts[b.end_geometry.index[k]];
       const double d = b.volume[k] - cut.volume;
       h2 += d * d / std::max(norm(cut.surface), least);
     });
@@ -122,8 +122,8 @@ TYPED_TEST(Moves, TheExchangeAlongASurfaceEvensOutWhatPhiLagsBehind) {
   }
   auto even = this->ball_of(0);
   for_each_piece(even, 0, [&](auto& b, const auto&, std::size_t k) {
-    if (b.settled.kind[k] != CellKind::cut) return;
-    const auto& cut = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])];
+    if (b.end_geometry.kind[k] != CellKind::cut) return;
+    const auto& cut = b.end_geometry.cuts[b.end_geometry.index[k]];
     set_piece(b, k, cut.volume + 0.1 * this->grid.dx * std::max(norm(cut.surface), least), this->one);
   });
   std::vector<double> volumes;
@@ -143,8 +143,8 @@ TYPED_TEST(Moves, TheMismatchIsAnExcessOverTheArea) {
   this->volume(state, TestFixture::cell(7, 8)) -= 0.05 * this->whole();
   for (int s = 0; s < state.mesh.local(); ++s) measure_mismatch(state, state.bodies[0], s);
   for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
-    if (b.settled.kind[k] != CellKind::cut) return;
-    const double h = b.settled.cuts[static_cast<std::size_t>(b.settled.index[k])].mismatch / this->grid.dx;
+    if (b.end_geometry.kind[k] != CellKind::cut) return;
+    const double h = b.end_geometry.cuts[b.end_geometry.index[k]].mismatch / this->grid.dx;
     const double expected = dim == 1 ? 0.05 : i == at ? 0.1 : i == TestFixture::cell(7, 8) ? -0.05 : 0;
     EXPECT_NEAR(h, expected, 1e-12);
   });
@@ -215,7 +215,7 @@ TYPED_TEST(Moves, AThinBodyKeepsADeficitThatItsNeighbourCannotFill) {
   for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
     if (i[0] == 5 || i[0] == 7) set_piece(b, k, 0.05 * this->whole(), this->one);
     if (i[0] != 6) return;
-    b.settled.kind[k] = CellKind::full;
+    b.end_geometry.kind[k] = CellKind::full;
     set_piece(b, k, 0.6 * this->whole(), this->one);
   });
   this->run(state, [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, scratch); });
@@ -272,14 +272,14 @@ TYPED_TEST(Moves, BadStatesAreAveragedWithTheirSurroundings) {
     auto state = this->ball_of(0.4);
     const auto a = TestFixture::cell(9, 9), b = TestFixture::cell(9 + width, 9);  // on both sides of a border
     for_each_piece(state, 0, [&](auto& block, const Index<dim>& i, std::size_t k) {
-      if (i == a || i == b) block.role[k] |= bad_state;
+      if (i == a || i == b) block.role[k] |= has_bad_contents;
     });
     std::vector<double> before;
     for_each_piece(state, 0, [&](auto& block, const Index<dim>&, std::size_t k) {
       before.push_back(block.contents[k]);
     });
     this->run(state, [&](int s, Scratch& scratch) {
-      average_bad_states(state, state.bodies[0], s, width, scratch);
+      average_inadmissible(state, state.bodies[0], s, width, scratch);
     });
     double lowest = 1e300, highest = -1e300;
     std::size_t n = 0;
@@ -312,7 +312,7 @@ TYPED_TEST(Moves, NothingMovesInASettledBody) {
     EXPECT_TRUE(body.at(s).updates.empty());
     bound_volumes(state, body, s, this->counters, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
-    average_bad_states(state, body, s, 1, scratch);
+    average_inadmissible(state, body, s, 1, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
   });
   EXPECT_EQ(totals(state, 0), before);
@@ -324,7 +324,7 @@ TYPED_TEST(Moves, BlocksWithoutReachAreLeftAlone) {
   this->run(state, [&](int s, Scratch& scratch) {
     auto& body = state.bodies[0];
     body.at(s).reach = {};
-    for (int width = 1; width <= 3; ++width) average_bad_states(state, body, s, width, scratch);
+    for (int width = 1; width <= 3; ++width) average_inadmissible(state, body, s, width, scratch);
     empty_outside(state, body, s, scratch);
     fill_inside(state, body, s, scratch);
     bound_volumes(state, body, s, this->counters, scratch);

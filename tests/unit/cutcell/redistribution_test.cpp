@@ -16,7 +16,7 @@ struct Redistributing : testing::Test {
   Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
   Counters counters;
 
-  /// A ball whose pieces hold random multiples of one state.
+  /// A ball whose fragments hold random multiples of one state.
   State<dim> random_ball(const Grid<dim>& g, double scatter) const {
     Vec<dim> middle = middle_of(g);
     middle[0] += 0.07;
@@ -58,7 +58,7 @@ TYPED_TEST(Redistributing, ConservesContentsAndLeavesVolumes) {
     changed += b.contents[k] != contents[n++];
   });
   EXPECT_GT(changed, dim == 1 ? 1 : 20);
-  EXPECT_EQ(this->counters.lone_pieces_moved, 0);
+  EXPECT_EQ(this->counters.lone_fragments_moved, 0);
 }
 
 TYPED_TEST(Redistributing, AUniformStateStaysUniform) {
@@ -88,7 +88,7 @@ TYPED_TEST(Redistributing, WholePiecesFarFromSmallOnesAreLeftAlone) {
   }
 }
 
-/// The state of a tiny piece must not survive: its step would be unstable.
+/// The state of a tiny fragment must not survive: its step would be unstable.
 TYPED_TEST(Redistributing, ATinyPieceTakesTheStateOfItsNeighbourhood) {
   constexpr int dim = TestFixture::dim;
   auto state = this->random_ball(this->grid, 0);
@@ -98,7 +98,7 @@ TYPED_TEST(Redistributing, ATinyPieceTakesTheStateOfItsNeighbourhood) {
   const double dx = this->grid.dx;
   int tiny = 0;
   for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
-    if (b.settled.kind[k] != CellKind::cut || b.volume[k] >= 0.5 * this->grid.full_volume(i)) return;
+    if (b.end_geometry.kind[k] != CellKind::cut || b.volume[k] >= 0.5 * this->grid.full_volume(i)) return;
     ++tiny;
     set_piece(b, k, 1e-6 * this->grid.dx_power(dim) * (tiny % 3 == 0 ? -1 : 1), wild);
   });
@@ -127,8 +127,8 @@ TYPED_TEST(Redistributing, ALonePieceGoesToTheNearestWhole) {
   cut_all(state);  // finds where the matter is
   const auto before = totals(state, 0);
   this->run(state);
-  EXPECT_EQ(this->counters.lone_pieces_moved, 1);
-  EXPECT_EQ(this->counters.unmerged_pieces, 1);
+  EXPECT_EQ(this->counters.lone_fragments_moved, 1);
+  EXPECT_EQ(this->counters.unmerged_fragments, 1);
   const auto after = totals(state, 0);
   for (std::size_t c = 0; c < after.size(); ++c) EXPECT_NEAR(after[c] / before[c], 1, 1e-14);
   Index<dim> home = lost;

@@ -7,7 +7,7 @@
 namespace recoil {
 namespace {
 
-/// A half space of copper in one state, cut askew, in pieces as the level set has them.
+/// A half space of copper in one state, cut askew, in fragments as the level set has them.
 template <int Dim>
 struct Askew {
   Primitives<Dim> primitives = some_primitives<Dim>(samples::copper());
@@ -40,7 +40,7 @@ TYPED_TEST_SUITE(WholeCells, Dimensions);
 TYPED_TEST(WholeCells, CellsWithTheirCentreInsideAreRealAndKeepTheirState) {
   constexpr int Dim = TypeParam::value;
   Askew<Dim> a;
-  a.for_each_block([&](int s, auto&) { take_whole_cells(a.state, a.state.bodies[0], s, a.counters); });
+  a.for_each_block([&](int s, auto&) { to_whole_cells(a.state, a.state.bodies[0], s, a.counters); });
   for_each_piece(a.state, 0, [&](BodyBlock<Dim>& b, const Index<Dim>& i, std::size_t k) {
     const double full = b.phi[k] < 0 ? a.state.grid().full_volume(i) : 0;
     EXPECT_EQ(b.volume[k], full);
@@ -60,7 +60,7 @@ TYPED_TEST(WholeCells, AnEmptyCellInsideIsCounted) {
     b.volume[k] = 0;
     done = true;
   });
-  a.for_each_block([&](int s, auto&) { take_whole_cells(a.state, a.state.bodies[0], s, a.counters); });
+  a.for_each_block([&](int s, auto&) { to_whole_cells(a.state, a.state.bodies[0], s, a.counters); });
   EXPECT_EQ(a.counters.cuts_without_donor, 1);
 }
 
@@ -68,13 +68,13 @@ TYPED_TEST(WholeCells, PiecesComeBackWithGhostsInWhatWasNotReal) {
   constexpr int Dim = TypeParam::value;
   Askew<Dim> a, before;
   a.for_each_block([&](int s, BodyBlock<Dim>& b) {
-    take_whole_cells(a.state, a.state.bodies[0], s, a.counters);
+    to_whole_cells(a.state, a.state.bodies[0], s, a.counters);
     const std::size_t n = b.volume.size();
     for (std::size_t k = 0; k < n; ++k) {
       b.role[k] = valued;
       for (std::size_t c = 0; c < a.primitives.size(); ++c) b.average[c * n + k] = a.primitives[c];
     }
-    show_pieces(a.state, a.state.bodies[0], s, a.counters);
+    to_cut_cells(a.state, a.state.bodies[0], s, a.counters);
     const BodyBlock<Dim>& was = before.state.bodies[0].at(s);
     const double cell = a.state.grid().dx_power(Dim);
     for (std::size_t k = 0; k < n; ++k) {
@@ -92,9 +92,9 @@ TYPED_TEST(WholeCells, AGhostWithoutAValueIsCounted) {
   constexpr int Dim = TypeParam::value;
   Askew<Dim> a;
   a.for_each_block([&](int s, BodyBlock<Dim>& b) {
-    take_whole_cells(a.state, a.state.bodies[0], s, a.counters);
+    to_whole_cells(a.state, a.state.bodies[0], s, a.counters);
     std::fill(b.role.begin(), b.role.end(), std::uint8_t{0});
-    show_pieces(a.state, a.state.bodies[0], s, a.counters);
+    to_cut_cells(a.state, a.state.bodies[0], s, a.counters);
   });
   EXPECT_GT(a.counters.cuts_without_donor, 0);
 }

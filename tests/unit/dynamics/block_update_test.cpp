@@ -35,7 +35,7 @@ struct Bulk {
     for (int s = 0; s < state.mesh.local(); ++s) average_primitives(state, state.bodies[0], s, counters);
     for (int s = 0; s < state.mesh.local(); ++s) {
       const Scratch::Frame frame(scratch);
-      update_block(state, state.bodies[0], s, dt, 1, edges[static_cast<std::size_t>(s)], counters, scratch);
+      update_block(state, state.bodies[0], s, dt, 1, edges[s], counters, scratch);
     }
   }
   /// Calls f(index, change of its contents per volume and time) for all cells at least `away` from the edges.
@@ -54,8 +54,7 @@ struct Bulk {
         Contents<Dim> rate{};
         for (std::size_t c = 0; c < rate.size(); ++c) {
           const std::size_t at = c * b.volume.size() + k;
-          rate[c] =
-              (b.contents[at] - before[static_cast<std::size_t>(s)][at]) / (dt * state.grid().full_volume(i));
+          rate[c] = (b.contents[at] - before[s][at]) / (dt * state.grid().full_volume(i));
         }
         f(i, rate);
       });
@@ -96,7 +95,7 @@ TYPED_TEST(BlockUpdate, PeriodicBodiesConserve) {
   for (int n = 0; n < 3; ++n) bulk.update(1e-6);
   const auto after = totals(bulk.state, 0);
   for (const std::size_t c : {std::size_t{0}, std::size_t{1}, std::size_t{TestFixture::C::energy},
-                              std::size_t{TestFixture::C::ep}, std::size_t{TestFixture::C::heat}})
+                              std::size_t{TestFixture::C::ep}, std::size_t{TestFixture::C::temperature_rise}})
     EXPECT_NEAR(after[c] / before[c], 1, 1e-13) << c;
 }
 
@@ -141,16 +140,15 @@ TYPED_TEST(BlockUpdate, LinearMotionStretchesAndTurnsTheStress) {
     const auto& w = this->base;
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j)
-        S[i][j] = C::stress(i, j) >= 0 ? w[static_cast<std::size_t>(C::s + C::stress(i, j))]
-                                       : -w[C::s] - w[C::s + 1];
+        S[i][j] = C::stress(i, j) >= 0 ? w[C::s + C::stress(i, j)] : -w[C::s] - w[C::s + 1];
     double trace = 0;
     for (int i = 0; i < dim; ++i) trace += A[i][i];
     const auto grid = make_test_grid<dim>(14, 7, Edge::outflow, true);
     Bulk<dim> bulk(grid, this->material, [&](const Vec<dim>& x) {
       auto here = w;
       for (int i = 0; i < dim; ++i) {
-        here[static_cast<std::size_t>(C::u + i)] = 0;
-        for (int j = 0; j < dim; ++j) here[static_cast<std::size_t>(C::u + i)] += A[i][j] * x[j];
+        here[C::u + i] = 0;
+        for (int j = 0; j < dim; ++j) here[C::u + i] += A[i][j] * x[j];
       }
       return here;
     });
@@ -163,8 +161,7 @@ TYPED_TEST(BlockUpdate, LinearMotionStretchesAndTurnsTheStress) {
           for (int m = 0; m < dim; ++m)
             exact += 0.5 * (A[i][m] - A[m][i]) * S[m][j] - S[i][m] * 0.5 * (A[m][j] - A[j][m]);
           const int c = C::stress(i, j);
-          const double found =
-              c >= 0 ? rate[static_cast<std::size_t>(C::s + c)] : -rate[C::s] - rate[C::s + 1];
+          const double found = c >= 0 ? rate[C::s + c] : -rate[C::s] - rate[C::s + 1];
           ASSERT_NEAR(found, rho * exact, 1e-6 * rho * (rotation ? 1e8 : g)) << i << j;
           power += found * S[i][j];
         }
@@ -189,8 +186,7 @@ TYPED_TEST(BlockUpdate, PressureGradientsAccelerate) {
                    return w;
                  });
   bulk.rates(1e-6, 4, [&](const Index<dim>&, const Contents<dim>& rate) {
-    for (int d = 0; d < dim; ++d)
-      ASSERT_NEAR(rate[static_cast<std::size_t>(C::u + d)], -slope[d], 2e-3 * norm(slope));
+    for (int d = 0; d < dim; ++d) ASSERT_NEAR(rate[C::u + d], -slope[d], 2e-3 * norm(slope));
   });
 }
 

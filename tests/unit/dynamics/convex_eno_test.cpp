@@ -18,7 +18,7 @@ std::array<double, 5> means(const std::function<double(double)>& integral, doubl
   std::array<double, 5> v{};
   for (int k = 0; k < 5; ++k) {
     const double low = x + (k - 3) * h;
-    v[static_cast<std::size_t>(k)] = (integral(low + h) - integral(low)) / h;
+    v[k] = (integral(low + h) - integral(low)) / h;
   }
   return v;
 }
@@ -54,7 +54,7 @@ TEST(ConvexEno3, IsOfThirdOrderWhereDataAreSmooth) {
 TEST(ConvexEno3, MakesNoNewExtremaAtAJump) {
   for (int jump = 1; jump < 5; ++jump) {
     std::array<double, 5> v{};
-    for (int k = 0; k < 5; ++k) v[static_cast<std::size_t>(k)] = k < jump ? 0 : 1;
+    for (int k = 0; k < 5; ++k) v[k] = k < jump ? 0 : 1;
     EXPECT_GE(face(v), 0) << jump;
     EXPECT_LE(face(v), 1) << jump;
   }

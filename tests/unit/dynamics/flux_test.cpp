@@ -17,7 +17,7 @@ template <int Dim>
 double stress_of(const Primitives<Dim>& w, int i, int j) {
   using C = Components<Dim>;
   const int c = C::stress(i, j);
-  return c >= 0 ? w[static_cast<std::size_t>(C::s + c)] : -(w[C::s] + w[C::s + 1]);
+  return c >= 0 ? w[C::s + c] : -(w[C::s] + w[C::s + 1]);
 }
 
 template <int Dim, class EosModel>
@@ -48,7 +48,7 @@ Flux<Dim> across(const EosModel& eos, const std::vector<Primitives<Dim>>& cell) 
       eos, g, Row<Dim>{primitive.data(), stress.data(), impedance.data(), 6, 3, 1, 1},
       FaceFlux<Dim>{flux.data(), velocity.data(), 1, 0});
   std::copy(flux.begin(), flux.end(), out.flux.begin());
-  for (int d = 0; d < Dim; ++d) out.velocity[d] = velocity[static_cast<std::size_t>(d)];
+  for (int d = 0; d < Dim; ++d) out.velocity[d] = velocity[d];
   return out;
 }
 
@@ -57,13 +57,13 @@ template <int Dim, class EosModel>
 Contents<Dim> exact_flux(const EosModel& eos, const Primitives<Dim>& w, int axis) {
   using C = Components<Dim>;
   Contents<Dim> f{};
-  const double mass = w[0] * w[static_cast<std::size_t>(C::u + axis)];
+  const double mass = w[0] * w[C::u + axis];
   double energy = eos.energy(w[0], w[C::p]) + (EosModel::barotropic ? w[C::extra] : 0), work = 0;
   f[0] = mass;
   for (int d = 0; d < Dim; ++d) {
-    const double u = w[static_cast<std::size_t>(C::u + d)];
+    const double u = w[C::u + d];
     const double sigma = stress_of<Dim>(w, axis, d) - (d == axis ? w[C::p] : 0);
-    f[static_cast<std::size_t>(C::u + d)] = mass * u - sigma;
+    f[C::u + d] = mass * u - sigma;
     energy += 0.5 * u * u;
     work += sigma * u;
   }
@@ -108,8 +108,7 @@ TYPED_TEST(FaceFluxes, OneStateGivesItsOwnFlux) {
   const auto f = across<dim, 0, true>(copper, cells);
   EXPECT_EQ(f.fallen, 0);
   expect_near<dim>(f.flux, exact_flux<dim>(copper, this->base, 0), 1e-13);
-  for (int d = 0; d < dim; ++d)
-    EXPECT_NEAR(f.velocity[d], this->base[static_cast<std::size_t>(1 + d)], 1e-10);
+  for (int d = 0; d < dim; ++d) EXPECT_NEAR(f.velocity[d], this->base[1 + d], 1e-10);
   if constexpr (dim > 1)
     expect_near<dim>(across<dim, 1, true>(copper, cells).flux, exact_flux<dim>(copper, this->base, 1), 1e-13);
   if constexpr (dim > 2)
@@ -119,7 +118,7 @@ TYPED_TEST(FaceFluxes, OneStateGivesItsOwnFlux) {
 TYPED_TEST(FaceFluxes, OneStateOfAFluidOrABarotropicBodyToo) {
   constexpr int dim = TestFixture::dim;
   auto w = this->base;
-  for (int c = 0; c < Components<dim>::stresses; ++c) w[static_cast<std::size_t>(Components<dim>::s + c)] = 0;
+  for (int c = 0; c < Components<dim>::stresses; ++c) w[Components<dim>::s + c] = 0;
   expect_near<dim>(across<dim, 0, false>(copper, this->row(w, w)).flux, exact_flux<dim>(copper, w, 0), 1e-13);
   const LinearEos linear{8930, 130e9};
   w = this->base;
@@ -157,10 +156,9 @@ TYPED_TEST(FaceFluxes, AxesAreEqual) {
     const auto turn = [&](int d) { return d == a ? b : d == b ? a : d; };
     auto out = w;
     for (int i = 0; i < dim; ++i) {
-      out[static_cast<std::size_t>(C::u + i)] = w[static_cast<std::size_t>(C::u + turn(i))];
+      out[C::u + i] = w[C::u + turn(i)];
       for (int j = i; j < dim; ++j)
-        if (C::stress(i, j) >= 0)
-          out[static_cast<std::size_t>(C::s + C::stress(i, j))] = stress_of<dim>(w, turn(i), turn(j));
+        if (C::stress(i, j) >= 0) out[C::s + C::stress(i, j)] = stress_of<dim>(w, turn(i), turn(j));
     }
     return out;
   };
@@ -174,8 +172,7 @@ TYPED_TEST(FaceFluxes, AxesAreEqual) {
       ASSERT_NEAR(f.flux[0] / g.flux[0], 1, Axis == 2 ? 1e-3 : 1e-12);
       for (int d = 0; d < dim; ++d) {
         const int e = d == 0 ? Axis : d == Axis ? 0 : d;
-        const double a = f.flux[static_cast<std::size_t>(C::u + d)],
-                     b = g.flux[static_cast<std::size_t>(C::u + e)];
+        const double a = f.flux[C::u + d], b = g.flux[C::u + e];
         ASSERT_NEAR(a, b, (Axis == 2 ? 1e-3 : 1e-12) * std::abs(f.flux[C::u]));
         ASSERT_NEAR(f.velocity[d], g.velocity[e], Axis == 2 ? 0.1 : 1e-9);
       }
@@ -213,7 +210,7 @@ TYPED_TEST(FaceFluxes, AContactIsPreserved) {
     auto left = this->base, right = this->base;
     left[1] = right[1] = u;
     right[0] *= 1.03;
-    for (std::size_t c : {std::size_t{C::ep}, std::size_t{C::heat}}) right[c] *= 1.5;
+    for (std::size_t c : {std::size_t{C::ep}, std::size_t{C::temperature_rise}}) right[c] *= 1.5;
     const auto f = across<dim, 0, true>(copper, this->row(left, right));
     EXPECT_NEAR(f.velocity[0], u, 1e-9);
     const auto exact = exact_flux<dim>(copper, u > 0 ? left : right, 0);

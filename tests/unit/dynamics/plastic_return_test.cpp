@@ -31,7 +31,7 @@ struct PlasticReturn : testing::Test {
   Primitives<dim> stressed(double factor) {
     auto w = some_primitives<dim>(samples::copper());
     w[C::s] = 5e7;
-    for (int c = 0; c < C::stresses; ++c) w[static_cast<std::size_t>(C::s + c)] *= factor;
+    for (int c = 0; c < C::stresses; ++c) w[C::s + c] *= factor;
     return w;
   }
 };
@@ -45,7 +45,7 @@ TYPED_TEST(PlasticReturn, TheEquivalentStressIsThatOfTheTensor) {
   double tensor[3][3] = {};
   for (int i = 0; i < dim; ++i)
     for (int j = 0; j < dim; ++j)
-      if (C::stress(i, j) >= 0) tensor[i][j] = w[static_cast<std::size_t>(C::s + C::stress(i, j))];
+      if (C::stress(i, j) >= 0) tensor[i][j] = w[C::s + C::stress(i, j)];
   if (dim == 1)
     tensor[1][1] = tensor[2][2] = -0.5 * tensor[0][0];
   else
@@ -81,13 +81,13 @@ TYPED_TEST(PlasticReturn, TrialStressesReturnToTheSurface) {
   const double increment = (trial - this->yield) / (3 * this->shear), mass = b.contents[0];
   EXPECT_NEAR((b.contents[C::ep * n] - before[C::ep * n]) / mass, increment, 1e-12);
   const double rho = w[0], heat = this->yield * increment / (rho * samples::copper().thermal.specific_heat);
-  EXPECT_NEAR((b.contents[C::heat * n] - before[C::heat * n]) / mass / heat, 1, 1e-9);
+  EXPECT_NEAR((b.contents[C::temperature_rise * n] - before[C::temperature_rise * n]) / mass / heat, 1, 1e-9);
 }
 
 TYPED_TEST(PlasticReturn, MeltedMatterLosesItsDeviator) {
   using C = typename TestFixture::C;
   auto w = this->stressed(5);
-  w[C::heat] = 2000;  // beyond melting
+  w[C::temperature_rise] = 2000;  // beyond melting
   auto state = this->state_with(samples::copper().strength, w);
   return_to_yield(state, state.bodies[0], 0, 1e-9);
   EXPECT_NEAR(TestFixture::equivalent(state.bodies[0].at(0)), 0, 1);

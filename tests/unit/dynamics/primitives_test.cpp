@@ -100,7 +100,7 @@ TYPED_TEST(States, TheFastestSignalIsTheSumOverAxes) {
   w[0] = density(this->material);
   double speeds = dim * longitudinal_speed(this->material);
   for (int d = 0; d < dim; ++d) {
-    w[static_cast<std::size_t>(1 + d)] = 100 - 250 * d;
+    w[1 + d] = 100 - 250 * d;
     speeds += std::abs(100 - 250 * d);
   }
   auto state = this->uniform(w);
@@ -148,16 +148,16 @@ TYPED_TEST(States, BadStatesAreMarkedAndCleared) {
   auto dense = per_volume<dim>(this->material, some_primitives<dim>(this->material));
   dense[0] *= 3;
   const double full = this->grid.dx_power(dim);
-  EXPECT_EQ(mark_bad_states(state, state.bodies[0], 0), 0);
-  EXPECT_FALSE(has_bad_state(b));
+  EXPECT_EQ(mark_inadmissible(state, state.bodies[0], 0), 0);
+  EXPECT_FALSE(has_inadmissible(b));
   set_piece(b, 1, full, dense);
   set_piece(b, 4, 0.03 * full, dense);
   set_piece(b, 5, 0.01 * full, dense);  // too small to be judged
-  EXPECT_EQ(mark_bad_states(state, state.bodies[0], 0), 2);
-  EXPECT_TRUE(has_bad_state(b));
-  EXPECT_TRUE((b.role[4] & bad_state) != 0 && (b.role[5] & bad_state) == 0);
-  clear_bad_states(b);
-  EXPECT_FALSE(has_bad_state(b));
+  EXPECT_EQ(mark_inadmissible(state, state.bodies[0], 0), 2);
+  EXPECT_TRUE(has_inadmissible(b));
+  EXPECT_TRUE((b.role[4] & has_bad_contents) != 0 && (b.role[5] & has_bad_contents) == 0);
+  clear_inadmissible(b);
+  EXPECT_FALSE(has_inadmissible(b));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::array<double, 5> means(const std::function<double(double)>& integral, doubl
   std::array<double, 5> v{};
   for (int k = 0; k < 5; ++k) {
     const double low = x + (k - 3) * h;
-    v[static_cast<std::size_t>(k)] = (integral(low + h) - integral(low)) / h;
+    v[k] = (integral(low + h) - integral(low)) / h;
   }
   return v;
 }

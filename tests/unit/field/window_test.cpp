@@ -39,7 +39,7 @@ template <int Dim>
 Expected<Dim> look(const Grid<Dim>& grid, const Index<Dim>& i) {
   Expected<Dim> e;
   for (int d = 0; d < Dim; ++d) {
-    const auto& edge = grid.edge[static_cast<std::size_t>(d)];
+    const auto& edge = grid.edge[d];
     const Seen s = look(i[d], grid.cells[d], edge[0], edge[1]);
     e.cell[d] = s.cell;
     e.flips |= static_cast<unsigned>(s.mirrored) << d;
@@ -63,14 +63,11 @@ struct Data {
     for (int s = 0; s < mesh.slots(); ++s) {
       blocks.emplace_back(static_cast<std::size_t>(layout.size()), -1e9);
       for_each(mesh.block(s).cells, [&](const Index<Dim>& i) {
-        blocks.back()[static_cast<std::size_t>(layout.at(i - mesh.block(s).cells.lo))] =
-            value_of(domain.at(i));
+        blocks.back()[layout.at(i - mesh.block(s).cells.lo)] = value_of(domain.at(i));
       });
     }
   }
-  const double* operator()(int slot) const {
-    return slot == absent ? nullptr : blocks[static_cast<std::size_t>(slot)].data();
-  }
+  const double* operator()(int slot) const { return slot == absent ? nullptr : blocks[slot].data(); }
   double seen(const Expected<Dim>& e, Beyond beyond, unsigned odd, double missing) const {
     const Grid<Dim>& grid = mesh.grid();
     Index<Dim> at;
@@ -98,7 +95,7 @@ void compare_windows(const Grid<Dim>& grid, int halo) {
       w.gather(data, -7.0, beyond, out.data(), odd);
       int wrong = 0;
       for_each(w.box(), [&](const Index<Dim>& i) {
-        wrong += out[static_cast<std::size_t>(w.at(i))] != data.seen(look(grid, i), beyond, odd, -7.0);
+        wrong += out[w.at(i)] != data.seen(look(grid, i), beyond, odd, -7.0);
       });
       ASSERT_EQ(wrong, 0) << "block " << s << " beyond " << static_cast<int>(beyond);
     }
@@ -157,7 +154,7 @@ TYPED_TEST(Windows, OtherTypesAreGatheredWithoutSigns) {
   std::vector<int> out(static_cast<std::size_t>(w.size()));
   w.gather([&](int) { return cells.data(); }, -1, Beyond::extend, out.data(), ~0U);
   for_each(w.box(), [&](const Index<dim>& i) {
-    EXPECT_EQ(out[static_cast<std::size_t>(w.at(i))], mesh.grid().domain().at(look(mesh.grid(), i).cell));
+    EXPECT_EQ(out[w.at(i)], mesh.grid().domain().at(look(mesh.grid(), i).cell));
   });
 }
 
@@ -172,9 +169,7 @@ TYPED_TEST(Windows, SeveralComponents) {
   for (std::size_t s = 0; s < blocks.size(); ++s)
     for (std::size_t k = 0; k < 2 * n; ++k) blocks[s][k] = static_cast<double>(1 + s * 2 * n + k);
   const auto of = [&](std::size_t first) {
-    return [&blocks, first](int s) {
-      return s == 1 ? nullptr : blocks[static_cast<std::size_t>(s)].data() + first;
-    };
+    return [&blocks, first](int s) { return s == 1 ? nullptr : blocks[s].data() + first; };
   };
   for (int s = 0; s < mesh.local(); ++s) {
     const Window<dim> w(mesh, s, 3);
@@ -204,9 +199,7 @@ TYPED_TEST(Windows, PartOfABlock) {
     std::vector<double> out(static_cast<std::size_t>(w.size())), all(static_cast<std::size_t>(whole.size()));
     w.gather(data, -7.0, Beyond::mirror, out.data(), 1U);
     whole.gather(data, -7.0, Beyond::mirror, all.data(), 1U);
-    for_each(w.box(), [&](const Index<dim>& i) {
-      ASSERT_EQ(out[static_cast<std::size_t>(w.at(i))], all[static_cast<std::size_t>(whole.at(i))]);
-    });
+    for_each(w.box(), [&](const Index<dim>& i) { ASSERT_EQ(out[w.at(i)], all[whole.at(i)]); });
     for_each(w.inner(), [&](const Index<dim>& i) {
       ASSERT_EQ(w.cell(i), mesh.grid().layout().at(i - mesh.block(s).cells.lo));
       ASSERT_EQ(w.index_of(w.cell(i)), i);

@@ -29,8 +29,7 @@ struct Fits : testing::Test {
   static void set_averages(Prepared<dim>& p, F&& field) {
     for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
       auto x = p.state.grid().centre(i);
-      if (b.geometry.index[k] >= 0)
-        x += p.state.grid().dx * b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[k])].centroid;
+      if (b.geometry.index[k] >= 0) x += p.state.grid().dx * b.geometry.cuts[b.geometry.index[k]].centroid;
       const Primitives<dim> w = field(x);
       for (std::size_t c = 0; c < w.size(); ++c) b.average[c * b.volume.size() + k] = w[c];
     });
@@ -64,7 +63,7 @@ TYPED_TEST(Fits, WeightsOfTheMeanSumToOneAndOfTheSlopeToNothing) {
       double mean = 0;
       Vec<dim> slope;
       for (int k = 0; k < w.donors; ++k) {
-        const auto& donor = b.donors[static_cast<std::size_t>(w.first_donor + k)];
+        const auto& donor = b.donors[w.first_donor + k];
         mean += donor.weight;
         slope += donor.slope_weight;
       }
@@ -193,7 +192,7 @@ TEST(FitsAtMirrors, VelocitiesTurnRound) {
   EXPECT_EQ(beside, 4);
 }
 
-/// A cut cell with no whole piece around moves with what it holds.
+/// A cut cell with no whole fragment around moves with what it holds.
 TYPED_TEST(Fits, LonePiecesMoveWithWhatTheyHold) {
   constexpr int dim = TestFixture::dim;
   auto p = this->half();

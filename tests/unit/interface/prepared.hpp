@@ -17,8 +17,7 @@ struct Prepared {
            const std::vector<Primitives<Dim>>& fill, const Material& material = samples::copper())
       : state(make_test_state<Dim>(grid, shapes, material)) {
     cut_all(state, Surfaces::shared);
-    for (int m = 0; m < state.count(); ++m)
-      fill_body(state, m, per_volume<Dim>(material, fill[static_cast<std::size_t>(m)]));
+    for (int m = 0; m < state.count(); ++m) fill_body(state, m, per_volume<Dim>(material, fill[m]));
     prepare();
   }
   /// After the volumes, contents or the kind of a body have changed.
@@ -48,7 +47,7 @@ struct Prepared {
   template <class F>
   void for_each_wall(int body, F&& f) {
     for (int s = 0; s < state.mesh.local(); ++s) {
-      auto& b = state.bodies[static_cast<std::size_t>(body)].at(s);
+      auto& b = state.bodies[body].at(s);
       for (std::size_t m = 0; m < b.walls.size(); ++m)
         f(b.walls[m], b.geometry.cuts[m],
           state.mesh.block(s).cells.lo + state.grid().layout().index(b.geometry.cuts[m].cell));
@@ -61,7 +60,7 @@ template <int Dim>
 Primitives<Dim> moving(const Material& material, const Vec<Dim>& u) {
   Primitives<Dim> w{};
   w[0] = density(material);
-  for (int d = 0; d < Dim; ++d) w[static_cast<std::size_t>(Components<Dim>::u + d)] = u[d];
+  for (int d = 0; d < Dim; ++d) w[Components<Dim>::u + d] = u[d];
   return w;
 }
 

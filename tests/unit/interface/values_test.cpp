@@ -60,7 +60,7 @@ TYPED_TEST(Values, ABodyInFreeFlightLooksTheSameEverywhere) {
     ghosts += (b.role[k] & regular) == 0;
     const auto w = TestFixture::stencil_of(b, k);
     ASSERT_NEAR(w[0], w0[0], 1e-9);
-    for (int d = 0; d < dim; ++d) ASSERT_NEAR(w[static_cast<std::size_t>(1 + d)], u[d], 1e-9);
+    for (int d = 0; d < dim; ++d) ASSERT_NEAR(w[1 + d], u[d], 1e-9);
     for (std::size_t c = Components<dim>::p; c < Components<dim>::ep; ++c) ASSERT_NEAR(w[c], 0, 1e-2);
   });
   EXPECT_GT(ghosts, dim == 1 ? 4 : 50);
@@ -146,8 +146,7 @@ TYPED_TEST(Values, GhostsOfATurningBodyTurnWithIt) {
     };
     for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
       auto x = this->grid.centre(i);
-      if (b.geometry.index[k] >= 0)
-        x += this->grid.dx * b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[k])].centroid;
+      if (b.geometry.index[k] >= 0) x += this->grid.dx * b.geometry.cuts[b.geometry.index[k]].centroid;
       for (int d = 0; d < dim; ++d)
         b.average[static_cast<std::size_t>(C::u + d) * b.volume.size() + k] = turning(x)[d];
     });
@@ -176,15 +175,14 @@ TYPED_TEST(Values, AveragesOfCutCellsMoveToTheirCentres) {
   };
   for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
     auto x = this->grid.centre(i);
-    if (b.geometry.index[k] >= 0)
-      x += this->grid.dx * b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[k])].centroid;
+    if (b.geometry.index[k] >= 0) x += this->grid.dx * b.geometry.cuts[b.geometry.index[k]].centroid;
     b.average[C::p * b.volume.size() + k] = pressure(x);
   });
   fill_values(p);
   int moved = 0;
   for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
     if (!this->inside(i) || b.geometry.index[k] < 0 || (b.role[k] & regular) == 0) return;
-    const auto& cut = b.geometry.cuts[static_cast<std::size_t>(b.geometry.index[k])];
+    const auto& cut = b.geometry.cuts[b.geometry.index[k]];
     const double average = pressure(this->grid.centre(i) + this->grid.dx * cut.centroid),
                  value = b.average[C::p * b.volume.size() + k];
     moved += std::abs(value - average) > 0.01 * slope;

@@ -10,12 +10,12 @@ namespace {
 
 /// One wall after another, found anew.
 template <int Dim>
-void find_all(Prepared<Dim>& p, double dt, double share = 1) {
+void find_all(Prepared<Dim>& p, double dt, double weight = 1) {
   p.evaluate();
   Scratch scratch;
   for (int s = 0; s < p.state.mesh.local(); ++s) {
     const Scratch::Frame frame(scratch);
-    find_walls(p.state, s, dt, share, scratch);
+    find_walls(p.state, s, dt, weight, scratch);
   }
 }
 
@@ -50,8 +50,8 @@ struct Walls : testing::Test {
     std::vector<double> power(force.size());
     for (int m = 0; m < 2; ++m)
       p.for_each_wall(m, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>& i) {
-        force[static_cast<std::size_t>(grid.domain().at(i))] += w.force;
-        power[static_cast<std::size_t>(grid.domain().at(i))] += w.power;
+        force[grid.domain().at(i)] += w.force;
+        power[grid.domain().at(i)] += w.power;
       });
     for (const auto& f : force) ASSERT_EQ(f, Vec<dim>{});
     for (const double e : power) ASSERT_EQ(e, 0);
@@ -72,8 +72,7 @@ TYPED_TEST(Walls, AFreeSurfaceMovesWithItsMatter) {
     ASSERT_EQ(w.power, 0);
     ASSERT_LT(norm(w.velocity - u), 1e-10);
     ASSERT_NEAR(w.volume_rate, dot(u, cut.surface), 1e-10);
-    for (int i = 0; i < dim; ++i)
-      ASSERT_LT(norm(w.stretching[static_cast<std::size_t>(i)] - u[i] * cut.surface), 1e-10);
+    for (int i = 0; i < dim; ++i) ASSERT_LT(norm(w.stretching[i] - u[i] * cut.surface), 1e-10);
   });
 }
 
@@ -85,7 +84,7 @@ TYPED_TEST(Walls, AFreeSurfaceRecoils) {
   find_all(p, this->dt);
   const auto s = surface_state<dim>(this->material, w0, this->normal);
   Vec<dim> u;
-  for (int d = 0; d < dim; ++d) u[d] = w0[static_cast<std::size_t>(1 + d)];
+  for (int d = 0; d < dim; ++d) u[d] = w0[1 + d];
   const Vec<dim> exact =
       u - s.stress / s.impedance * this->normal - s.shear * (1 / std::sqrt(w0[0] * 43.33e9));
   EXPECT_GT(norm(exact - u), 10);
@@ -103,11 +102,10 @@ TYPED_TEST(Walls, ResolvingATensor) {
   const auto s = resolve<dim>(w, this->normal);
   Vec<dim> traction, u;
   for (int i = 0; i < dim; ++i) {
-    u[i] = w[static_cast<std::size_t>(C::u + i)];
+    u[i] = w[C::u + i];
     for (int j = 0; j < dim; ++j) {
       const int c = C::stress(i, j);
-      traction[i] +=
-          (c >= 0 ? w[static_cast<std::size_t>(C::s + c)] : -w[C::s] - w[C::s + 1]) * this->normal[j];
+      traction[i] += (c >= 0 ? w[C::s + c] : -w[C::s] - w[C::s + 1]) * this->normal[j];
     }
   }
   EXPECT_LT(norm(s.velocity * this->normal + s.sliding - u), 1e-12);
@@ -303,11 +301,11 @@ TYPED_TEST(Walls, AThinRigidBodyStopsABody) {
 /// The ledger books what the bodies give each other, from the lower-numbered one's side.
 TYPED_TEST(Walls, TheLedgerAgreesWithTheWalls) {
   constexpr int dim = TestFixture::dim;
-  const double share = 1.0 / 6;
+  const double weight = 1.0 / 6;
   auto p =
       this->facing(-0.1, moving<dim>(this->material, 60.0 * this->normal), moving<dim>(this->material, {}));
-  find_all(p, this->dt, share);
-  find_all(p, this->dt, share);
+  find_all(p, this->dt, weight);
+  find_all(p, this->dt, weight);
   Vec<dim> force;
   double power = 0, area = 0;
   p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>& cut, const Index<dim>&) {
@@ -328,9 +326,9 @@ TYPED_TEST(Walls, TheLedgerAgreesWithTheWalls) {
   }
   EXPECT_NEAR(sum.area / area, 1, 1e-6);
   EXPECT_LT(norm(sum.force - force), 1e-12 * norm(force));
-  EXPECT_LT(norm(sum.exchanged.momentum - 2 * share * this->dt * force),
+  EXPECT_LT(norm(sum.exchanged.momentum - 2 * weight * this->dt * force),
             1e-12 * norm(sum.exchanged.momentum));
-  EXPECT_NEAR(sum.exchanged.energy / (2 * share * this->dt * power), 1, 1e-12);
+  EXPECT_NEAR(sum.exchanged.energy / (2 * weight * this->dt * power), 1, 1e-12);
   EXPECT_NEAR(sum.traction / sum.area / (-30 * this->z), 1, 0.02);
   EXPECT_NEAR(sum.velocity / sum.area, 30, 0.5);
   EXPECT_NEAR(sum.gap / sum.area / this->grid.dx, -0.1, 0.02);
@@ -344,7 +342,7 @@ TYPED_TEST(Walls, ContactIsRemembered) {
   remember_contact(b);
   for (std::size_t k = 0; k < b.contact.size(); ++k) {
     const int at = b.geometry.index[k];
-    EXPECT_EQ(b.contact[k], at < 0 ? 0U : b.walls[static_cast<std::size_t>(at)].partners);
+    EXPECT_EQ(b.contact[k], at < 0 ? 0U : b.walls[at].partners);
   }
 }
 
@@ -374,7 +372,7 @@ TEST(WallsOfThree, ForcesOfAllPairsBalance) {
   EXPECT_LT(std::abs(power), 1e-10 * size);
   for (int pair = 0; pair < 3; ++pair) {
     double area = 0;
-    for (const auto& l : p.state.ledger) area += l.pairs[static_cast<std::size_t>(pair)].area;
+    for (const auto& l : p.state.ledger) area += l.pairs[pair].area;
     EXPECT_GT(area, 5 * grid.dx) << pair;
   }
 }

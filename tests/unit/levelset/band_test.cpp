@@ -28,8 +28,7 @@ struct Bands : testing::Test {
     std::vector<BandChoice<dim>> choice;
     for (int s = 0; s < state.mesh.local(); ++s)
       choice.push_back(choose_band(state, state.bodies[0], s, scratch));
-    for (int s = 0; s < state.mesh.local(); ++s)
-      apply_band(state, state.bodies[0], s, choice[static_cast<std::size_t>(s)]);
+    for (int s = 0; s < state.mesh.local(); ++s) apply_band(state, state.bodies[0], s, choice[s]);
   }
   template <class F>
   void for_each_block(F&& f) {

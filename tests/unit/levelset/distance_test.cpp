@@ -91,9 +91,8 @@ TYPED_TEST(Distances, SweepsInOneGoAreTheSameAsOneByOne) {
     auto state = make_test_state<dim>(grid, {[this](const Vec<dim>& x) { return this->distorted(x); }});
     TestFixture::sweep(state, 3, 1.6);
     std::vector<double> phi(static_cast<std::size_t>(grid.domain().size()));
-    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
-      phi[static_cast<std::size_t>(grid.domain().at(i))] = b.phi[k];
-    });
+    for_each_piece(state, 0,
+                   [&](auto& b, const Index<dim>& i, std::size_t k) { phi[grid.domain().at(i)] = b.phi[k]; });
     found.push_back(phi);
   }
   EXPECT_EQ(found[0], found[1]);
@@ -106,7 +105,7 @@ TYPED_TEST(Distances, FootPointsLieOnTheSurface) {
     const Window<dim> w(mesh, s, 6);
     std::vector<double> phi(static_cast<std::size_t>(w.size()));
     for_each(w.box(), [&](const Index<dim>& i) {
-      phi[static_cast<std::size_t>(w.at(i))] = norm(this->grid.centre(i) - this->middle) - this->radius;
+      phi[w.at(i)] = norm(this->grid.centre(i) - this->middle) - this->radius;
     });
     for_each(w.inner(), [&](const Index<dim>& i) {
       const Vec<dim> x = this->grid.centre(i) - this->middle;

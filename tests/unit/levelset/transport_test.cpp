@@ -18,9 +18,10 @@ struct Carrying : testing::Test {
     for (int d = 0; d < dim; ++d) u[d] = 100 - 170 * d;
     return u;
   }
-  static void set_carrier(State<dim>& state, const Vec<dim>& u) {
+  static void set_extension_velocity(State<dim>& state, const Vec<dim>& u) {
     for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
-      for (int d = 0; d < dim; ++d) b.carrier[static_cast<std::size_t>(d) * b.phi.size() + k] = u[d];
+      for (int d = 0; d < dim; ++d)
+        b.extension_velocity[static_cast<std::size_t>(d) * b.phi.size() + k] = u[d];
     });
   }
   /// Heun's rule over dt.
@@ -28,11 +29,11 @@ struct Carrying : testing::Test {
     Scratch scratch;
     for (int s = 0; s < state.mesh.local(); ++s) {
       const Scratch::Frame frame(scratch);
-      carry(state, state.bodies[0], s, dt, scratch);
+      advect_level_set(state, state.bodies[0], s, dt, scratch);
     }
     for (int s = 0; s < state.mesh.local(); ++s) {
       const Scratch::Frame frame(scratch);
-      carry_again(state, state.bodies[0], s, dt, scratch);
+      advect_level_set_again(state, state.bodies[0], s, dt, scratch);
     }
   }
   static double length(const Grid<dim>& grid) {
@@ -50,7 +51,7 @@ TYPED_TEST(Carrying, APlaneMovesExactly) {
   const auto n = unit(random.vector<dim>(-1, 1));
   const auto u = TestFixture::velocity();
   auto state = make_test_state<dim>(grid, {half_space(middle_of(grid), n)});
-  TestFixture::set_carrier(state, u);
+  TestFixture::set_extension_velocity(state, u);
   const double dt = 0.7 * TestFixture::length(grid);
   TestFixture::step(state, dt);
   const Box<dim> inner = grid.domain().grown(-7);  // away from open edges, where phi is constant beyond
@@ -67,7 +68,7 @@ TYPED_TEST(Carrying, ABallMovesAsAWhole) {
   const double dx = grid.dx, radius = 7.3 * dx;
   const auto u = TestFixture::velocity();
   auto state = make_test_state<dim>(grid, {ball(middle_of(grid), radius)});
-  TestFixture::set_carrier(state, u);
+  TestFixture::set_extension_velocity(state, u);
   const double dt = 0.5 * TestFixture::length(grid);
   for (int n = 0; n < 3; ++n) TestFixture::step(state, dt);
   for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
@@ -92,9 +93,9 @@ TYPED_TEST(Carrying, DerivativesAreOfFifthOrder) {
       return sum;
     };
     auto state = make_test_state<dim>(grid, {smooth});
-    TestFixture::set_carrier(state, u);
+    TestFixture::set_extension_velocity(state, u);
     Scratch scratch;
-    for (int s = 0; s < state.mesh.local(); ++s) carry(state, state.bodies[0], s, 1e-3, scratch);
+    for (int s = 0; s < state.mesh.local(); ++s) advect_level_set(state, state.bodies[0], s, 1e-3, scratch);
     double sum = 0;
     for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
       double exact = 0;
@@ -135,7 +136,7 @@ TYPED_TEST(Following, PhiFollowsTheVolume) {
   auto& state = this->state;
   const double h = 0.2 * this->grid.dx;
   for (auto& b : state.bodies[0].blocks)
-    for (auto& cut : b.settled.cuts) cut.mismatch = h;
+    for (auto& cut : b.end_geometry.cuts) cut.mismatch = h;
   Scratch scratch;
   for (int s = 0; s < state.mesh.local(); ++s) {
     const Scratch::Frame frame(scratch);
@@ -167,8 +168,8 @@ TYPED_TEST(Following, TheWallsVelocityIsSpreadOverTheBand) {
     for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
       const bool inside = std::abs(b.phi[k]) < carried_cells * this->grid.dx;
       for (int d = 0; d < dim; ++d)
-        ASSERT_NEAR(b.carrier[static_cast<std::size_t>(d) * b.phi.size() + k], inside ? capped * u[d] : 0,
-                    1e-11);
+        ASSERT_NEAR(b.extension_velocity[static_cast<std::size_t>(d) * b.phi.size() + k],
+                    inside ? capped * u[d] : 0, 1e-11);
     });
     EXPECT_EQ(this->counters.capped_speeds > 0, length > dt);
   }

@@ -17,7 +17,7 @@ Grid<Dim> make_test_grid(int cells, int block, Edge edge, bool even = false) {
     g.origin[d] = -1 + 0.5 * d;
     g.cells[d] = cells + (even ? 0 : d);
     g.block[d] = block;
-    g.edge[static_cast<std::size_t>(d)] = {edge, edge};
+    g.edge[d] = {edge, edge};
   }
   return g;
 }

@@ -48,7 +48,7 @@ TYPED_TEST(Meshes, BlocksTileTheDomain) {
     const auto& block = mesh.block(s);
     EXPECT_EQ(block.order, s);
     EXPECT_EQ(mesh.find(block.at), s);
-    for_each(block.cells, [&](const Index<dim>& i) { ++covered[static_cast<std::size_t>(domain.at(i))]; });
+    for_each(block.cells, [&](const Index<dim>& i) { ++covered[domain.at(i)]; });
   }
   EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), domain.size());
   Index<dim> beyond;
@@ -67,7 +67,7 @@ TYPED_TEST(Meshes, NeighboursAreRight) {
         for_each(around<dim>(), [&](const Index<dim>& o) {
           Index<dim> place;
           const bool exists = neighbour_place(mesh.grid(), mesh.block(s).at, o, place);
-          const int n = mesh.block(s).neighbour[static_cast<std::size_t>(around<dim>().at(o))];
+          const int n = mesh.block(s).neighbour[around<dim>().at(o)];
           ASSERT_EQ(n >= 0, exists);
           if (!exists) return;
           ASSERT_EQ(mesh.block(n).at, place);
@@ -87,8 +87,8 @@ TYPED_TEST(Meshes, MixedEdgesWrapOnlyThePeriodicAxis) {
   low[dim - 1] = -1;
   left[0] = -1;
   const auto& corner = mesh.block(mesh.find({}));
-  EXPECT_EQ(corner.neighbour[static_cast<std::size_t>(around<dim>().at(low))], mesh.find(high));
-  EXPECT_EQ(corner.neighbour[static_cast<std::size_t>(around<dim>().at(left))], -1);
+  EXPECT_EQ(corner.neighbour[around<dim>().at(low)], mesh.find(high));
+  EXPECT_EQ(corner.neighbour[around<dim>().at(left)], -1);
 }
 
 /// Run by mpirun with two and three processes.
@@ -115,11 +115,11 @@ TYPED_TEST(MpiMesh, EveryBlockHasOneOwnerAndCopiesAllAround) {
     const auto mesh = TestFixture::mesh(edge);
     std::vector<std::int64_t> owners(static_cast<std::size_t>(power<dim>(4)));
     for (int s = 0; s < mesh.local(); ++s) {
-      ++owners[static_cast<std::size_t>(mesh.block(s).order)];
+      ++owners[mesh.block(s).order];
       for_each(around<dim>(), [&](const Index<dim>& o) {
         Index<dim> place;
         const bool exists = neighbour_place(mesh.grid(), mesh.block(s).at, o, place);
-        const int n = mesh.block(s).neighbour[static_cast<std::size_t>(around<dim>().at(o))];
+        const int n = mesh.block(s).neighbour[around<dim>().at(o)];
         ASSERT_EQ(n >= 0, exists);
         if (!exists) return;
         ASSERT_EQ(mesh.block(n).at, place);
@@ -153,26 +153,25 @@ TYPED_TEST(MpiMesh, ExchangeBringsTheNeighboursData) {
       return std::vector<double>(static_cast<std::size_t>(mesh.block(s).order % 3),
                                  7.5 + static_cast<double>(mesh.block(s).order));
     };
-    for (int s = 0; s < mesh.local(); ++s) data[static_cast<std::size_t>(s)] = of(s);
+    for (int s = 0; s < mesh.local(); ++s) data[s] = of(s);
     std::set<int> filled;
     exchange(
         mesh, world,
         [&](int s, parallel::Bytes& bytes) {
           EXPECT_LT(s, mesh.local());
-          const auto& v = data[static_cast<std::size_t>(s)];
+          const auto& v = data[s];
           parallel::pack(bytes, static_cast<std::int64_t>(v.size()));
           parallel::pack(bytes, v.data(), v.size());
         },
         [&](int s, parallel::Unpacker& from) {
           EXPECT_GE(s, mesh.local());
-          auto& v = data[static_cast<std::size_t>(s)];
+          auto& v = data[s];
           v.resize(static_cast<std::size_t>(from.read<std::int64_t>()));
           from.read(v.data(), v.size());
           filled.insert(s);
         });
     EXPECT_EQ(static_cast<int>(filled.size()), mesh.slots() - mesh.local());
-    for (int s = 0; s < mesh.slots(); ++s)
-      EXPECT_EQ(data[static_cast<std::size_t>(s)], of(s)) << "slot " << s;
+    for (int s = 0; s < mesh.slots(); ++s) EXPECT_EQ(data[s], of(s)) << "slot " << s;
   }
 }
 

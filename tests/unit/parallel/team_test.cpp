@@ -24,7 +24,7 @@ TEST_P(Teams, EveryItemIsDoneOnce) {
       std::vector<std::atomic<int>> done(static_cast<std::size_t>(items));
       std::atomic<bool> stranger{false};
       team.run(items, [&](int item, int worker) {
-        ++done[static_cast<std::size_t>(item)];
+        ++done[item];
         if (worker < 0 || worker >= team.threads()) stranger = true;
       });
       for (const auto& n : done) ASSERT_EQ(n, 1);
@@ -62,7 +62,7 @@ TEST_P(Teams, EveryBlockStartsWithAnEmptyScratch) {
   std::vector<const void*> start(static_cast<std::size_t>(team.threads()));
   for (int w = 0; w < team.threads(); ++w) {
     const Scratch::Frame frame(team.scratch(w));
-    start[static_cast<std::size_t>(w)] = team.scratch(w).take<double>(100);
+    start[w] = team.scratch(w).take<double>(100);
   }
   std::atomic<int> sum{0}, elsewhere{0};
   for_each_block(team, blocks, [&](int block, Scratch& scratch) {
@@ -70,7 +70,7 @@ TEST_P(Teams, EveryBlockStartsWithAnEmptyScratch) {
     const double* a = scratch.take<double>(100);
     bool known = false;
     for (int w = 0; w < team.threads(); ++w)
-      if (&scratch == &team.scratch(w)) known = a == start[static_cast<std::size_t>(w)];
+      if (&scratch == &team.scratch(w)) known = a == start[w];
     if (!known) ++elsewhere;
   });
   EXPECT_EQ(sum, 3 * 39 * 40 / 2);

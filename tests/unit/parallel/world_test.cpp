@@ -85,8 +85,7 @@ TEST_F(MpiWorld, GatherAndBroadcast) {
   const auto all = world.gather(bytes_of(100 * r, static_cast<std::size_t>(r)));  // rank 0 sends nothing
   if (r == 0) {
     ASSERT_EQ(all.size(), static_cast<std::size_t>(n));
-    for (int q = 0; q < n; ++q)
-      EXPECT_EQ(all[static_cast<std::size_t>(q)], bytes_of(100 * q, static_cast<std::size_t>(q)));
+    for (int q = 0; q < n; ++q) EXPECT_EQ(all[q], bytes_of(100 * q, static_cast<std::size_t>(q)));
   } else {
     EXPECT_TRUE(all.empty());
   }

@@ -24,8 +24,8 @@ class GhostFluid : public testing::TestWithParam<std::string> {
     const Scheme<Dim> scheme = scheme_of<Dim>(GetParam());
     run.stepping.cfl = 0.5;
     if (run.state.step == 0) {
-      scheme.settle(run.state, run.engine);
-      for (int m = 0; m < run.state.count(); ++m) run.start[static_cast<std::size_t>(m)] = run.totals(m);
+      scheme.prepare(run.state, run.engine);
+      for (int m = 0; m < run.state.count(); ++m) run.start[m] = run.totals(m);
     }
     for (int n = 0; n < steps; ++n) scheme.advance(run.state, run.stepping, 1, run.engine);
   }

@@ -37,7 +37,7 @@ struct TestRun {
         team(threads),
         engine{world, team, {}},
         state(make_state<Dim>(c, materials, world)) {
-    settle_start(state, engine);
+    prepare_start(state, engine);
     for (int m = 0; m < state.count(); ++m) start.push_back(totals(m));
   }
   void steps(int n) {
@@ -47,7 +47,7 @@ struct TestRun {
   /// Sums of the contents of a body, block by block.
   std::vector<double> totals(int m) const {
     std::vector<double> sum(C::contents);
-    for (const auto& b : state.bodies[static_cast<std::size_t>(m)].blocks)
+    for (const auto& b : state.bodies[m].blocks)
       for (std::size_t k = 0; k < b.volume.size(); ++k)
         for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += b.contents[c * b.volume.size() + k];
     return sum;
@@ -56,7 +56,7 @@ struct TestRun {
   Account<Dim> received(int m) const {
     Account<Dim> a;
     for (const auto& l : state.ledger) {
-      const auto& edge = l.edges[static_cast<std::size_t>(m)];
+      const auto& edge = l.edges[m];
       a.mass -= edge.mass;
       a.energy -= edge.energy;
       a.momentum -= edge.momentum;
@@ -73,7 +73,7 @@ struct TestRun {
   /// Largest mistake in the balances of mass, momentum and energy of a body, over its mass times `speed` and
   /// so on.
   double imbalance(int m, double speed) const {
-    const auto now = totals(m), &then = start[static_cast<std::size_t>(m)];
+    const auto now = totals(m), &then = start[m];
     const auto in = received(m);
     double worst = std::abs(now[0] - in.mass - then[0]) / then[0];
     // Of a wedge about an axis the radial momentum is none that is conserved.
@@ -101,7 +101,7 @@ struct TestRun {
     constexpr std::size_t width = C::contents + 1;
     std::vector<double> out(static_cast<std::size_t>(domain.size()) * width);
     for (int s = 0; s < state.mesh.local(); ++s) {
-      const auto& b = state.bodies[static_cast<std::size_t>(m)].at(s);
+      const auto& b = state.bodies[m].at(s);
       if (!b.present) continue;
       const Box<Dim> cells = state.mesh.block(s).cells;
       for_each(cells, [&](const Index<Dim>& i) {

@@ -162,7 +162,7 @@ void compare_with_line(int axis, int steps, double tolerance = 1e-9) {
     for_each(domain, [&](const Index<Dim>& i) {
       const double* q1 = a.data() + static_cast<std::size_t>(i[axis]) * (A::contents + 1);
       const double* q2 = b.data() + static_cast<std::size_t>(domain.at(i)) * (B::contents + 1);
-      const double rho = density(materials[static_cast<std::size_t>(m)]);
+      const double rho = density(materials[m]);
       ASSERT_NEAR(q2[0] / side, q1[0], tolerance * dx);
       ++q1;
       ++q2;
@@ -262,8 +262,9 @@ TEST(Advance, ACollapsedStepIsAnError) {
 
 TEST(StepParts, HaveNamesOfTheirOwn) {
   std::set<std::string> names;
-  for (int p = 0; p < static_cast<int>(StepPart::count); ++p) names.insert(name_of(static_cast<StepPart>(p)));
-  EXPECT_EQ(static_cast<int>(names.size()), static_cast<int>(StepPart::count));
+  for (int p = 0; p < static_cast<int>(StepPhase::count); ++p)
+    names.insert(name_of(static_cast<StepPhase>(p)));
+  EXPECT_EQ(static_cast<int>(names.size()), static_cast<int>(StepPhase::count));
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+#include "gauge/point_state.hpp"
+
+#include <cmath>
+
+#include "dynamics/plastic_return.hpp"
+#include "dynamics/primitives.hpp"
+
+namespace recoil {
+
+template <int Dim>
+PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents, double volume) {
+  using C = Components<Dim>;
+  const Primitives<Dim> w = std::visit(
+      [&](const auto& eos) { return to_primitives<Dim>(eos, contents, volume); }, body.material.eos);
+  PointState<Dim> p;
+  p.density = w[C::rho];
+  for (int d = 0; d < Dim; ++d) p.velocity[d] = w[C::u + d];
+  p.pressure = w[C::p];
+  double trace = 0;  // of the held part of the deviator
+  for (std::size_t c = 0; c < C::stresses; ++c) {
+    const bool on_diagonal = c < (Dim == 1 ? 1U : 2U);
+    p.stress[c] = w[C::s + c] - (on_diagonal ? p.pressure : 0);
+    if (on_diagonal) trace += w[C::s + c];
+  }
+  for (std::size_t c = C::stresses; c < p.stress.size(); ++c)
+    p.stress[c] = -trace / (Dim == 1 ? 2 : 1) - p.pressure;
+  p.von_mises = std::sqrt(equivalent_stress_squared<Dim>(w.data() + C::s, 1));
+  p.plastic_strain = w[C::ep];
+  const double energy = contents[C::energy] / contents[C::rho] - 0.5 * dot(p.velocity, p.velocity);
+  p.temperature = body.temperature(p.density, energy, w[C::temperature_rise]);
+  return p;
+}
+
+template PointState<1> point_state<1>(const Body<1>&, const Contents<1>&, double);
+template PointState<2> point_state<2>(const Body<2>&, const Contents<2>&, double);
+template PointState<3> point_state<3>(const Body<3>&, const Contents<3>&, double);
+
+}  // namespace recoil

@@ -1,0 +1,163 @@
+#include "gauge/probes.hpp"
+
+#include <cmath>
+
+#include "dynamics/primitives.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double near_reach = 2, far_reach = 4;  // dx
+constexpr double least_area = 0.02;              // of dx^(Dim-1): also a sliver of surface has a say
+
+/// This rank's blocks in which a body may have surface near x: f(slot, block of the body).
+template <int Dim, class F>
+void for_blocks_near(const State<Dim>& state, int body, const Vec<Dim>& x, F&& f) {
+  const Index<Dim> centre = state.grid().cell_of(x);
+  const Body<Dim>& b = state.bodies[body];
+  for (int slot = 0; slot < state.mesh.local(); ++slot)
+    if (b.present(slot) &&
+        state.mesh.block(slot).cells.grown(static_cast<int>(far_reach) + 1).contains(centre))
+      f(slot, b.at(slot));
+}
+
+/// Adds weight times velocity and normal to the near and far sums.
+template <int Dim>
+void add_reading(std::span<double> row, double r2, double weight, const Vec<Dim>& velocity,
+                 const Vec<Dim>& normal) {
+  for (std::size_t part = r2 <= near_reach * near_reach ? 0 : 1; part < 2; ++part) {
+    double* to = row.data() + part * (1 + 2 * Dim);
+    to[0] += weight;
+    for (int d = 0; d < Dim; ++d) {
+      to[1 + d] += weight * velocity[d];
+      to[1 + Dim + d] += weight * normal[d];
+    }
+  }
+}
+
+/// Square of a distance, in dx^2.
+template <int Dim>
+double cells_apart2(const Vec<Dim>& a, const Vec<Dim>& b, double dx) {
+  const Vec<Dim> r = (a - b) * (1 / dx);
+  return dot(r, r);
+}
+
+/// Gradient of phi in a cell from neighbours in its block; one-sided at the block's edges.
+template <int Dim>
+Vec<Dim> slope_of(const std::vector<double>& phi, const Box<Dim>& cells, const Box<Dim>& layout,
+                  const Index<Dim>& i) {
+  Vec<Dim> slope;
+  for (int d = 0; d < Dim; ++d) {
+    Index<Dim> lo = i, hi = i;
+    if (i[d] > cells.lo[d]) --lo[d];
+    if (i[d] + 1 < cells.hi[d]) ++hi[d];
+    const auto at = [&](const Index<Dim>& j) { return phi[layout.at(j - cells.lo)]; };
+    if (hi[d] > lo[d]) slope[d] = (at(hi) - at(lo)) / (hi[d] - lo[d]);
+  }
+  return slope;
+}
+
+}  // namespace
+
+template <int Dim>
+void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int item, OrderedSums& sums) {
+  const double dx = state.grid().dx;
+  for_blocks_near(state, point.body, point.at, [&](int slot, const BodyBlock<Dim>& b) {
+    std::span<double> row;
+    for (std::size_t m = 0; m < std::min(b.walls.size(), b.geometry.cuts.size()); ++m) {
+      const CutCell<Dim>& cut = b.geometry.cuts[m];
+      const Wall<Dim>& wall = b.walls[m];
+      const double r2 = cells_apart2(cut.point, point.at, dx);
+      if (r2 > far_reach * far_reach) continue;
+      if (point.normal != Vec<Dim>{} && !(dot(wall.normal, point.normal) > 0)) continue;
+      const Box<Dim> cells = state.mesh.block(slot).cells;
+      const Index<Dim> i = cells.lo + state.grid().layout().index(cut.cell);
+      const double area = norm(cut.surface) / (state.grid().dx_power(Dim - 1) * state.grid().radius(i[0]));
+      if (row.empty()) row = sums.add(item, state.mesh.block(slot).order);
+      add_reading(row, r2, std::exp(-2 * r2) * (area + least_area), wall.mean_velocity, wall.normal);
+    }
+  });
+}
+
+template <int Dim>
+void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& point, int item,
+                           OrderedSums& sums) {
+  using C = Components<Dim>;
+  const double dx = state.grid().dx;
+  const Box<Dim> layout = state.grid().layout();
+  for_blocks_near(state, point.body, point.at, [&](int slot, const BodyBlock<Dim>& b) {
+    const Box<Dim> cells = state.mesh.block(slot).cells;
+    const std::size_t n = b.volume.size();
+    std::span<double> row;
+    for_each(cells, [&](const Index<Dim>& i) {
+      const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+      const double r2 = cells_apart2(state.grid().centre(i), point.at, dx);
+      if (r2 > far_reach * far_reach || n == 0 || !(b.contents[k] > 0)) return;
+      Vec<Dim> velocity;
+      for (int d = 0; d < Dim; ++d)
+        velocity[d] = b.contents[static_cast<std::size_t>(C::u + d) * n + k] / b.contents[k];
+      if (row.empty()) row = sums.add(item, state.mesh.block(slot).order);
+      add_reading(row, r2, std::exp(-2 * r2), velocity, slope_of(b.phi, cells, layout, i));
+    });
+  });
+}
+
+template <int Dim>
+SurfaceReading<Dim> read_surface(std::span<const double> sums) {
+  SurfaceReading<Dim> r;
+  const double* from = sums.data();
+  if (!(from[0] > 0)) from += 1 + 2 * Dim;
+  if (!(from[0] > 0)) return r;
+  r.found = true;
+  for (int d = 0; d < Dim; ++d) {
+    r.velocity[d] = from[1 + d] / from[0];
+    r.normal[d] = from[1 + Dim + d];
+  }
+  r.normal = unit(r.normal);
+  return r;
+}
+
+template <int Dim>
+void follow_surface(SurfacePoint<Dim>& point, const SurfaceReading<Dim>& reading, double dt) {
+  if (!reading.found) return;
+  point.normal = reading.normal;
+  point.at += dot(reading.velocity, reading.normal) * dt * reading.normal;
+}
+
+template <int Dim>
+void probe_point(const State<Dim>& state, int body, const Vec<Dim>& x, int item, OrderedSums& sums) {
+  const Index<Dim> i = state.grid().cell_of(x);
+  const Body<Dim>& b = state.bodies[body];
+  if (b.rigid) return;
+  for (int slot = 0; slot < state.mesh.local(); ++slot) {
+    const Box<Dim> cells = state.mesh.block(slot).cells;
+    if (!cells.contains(i) || !b.present(slot)) continue;
+    const int k = state.grid().layout().at(i - cells.lo);
+    const double volume = b.at(slot).volume[k];
+    const Contents<Dim> contents = contents_of(b.at(slot), k);
+    if (volume < shown_fill * state.grid().full_volume(i) || !(contents[0] > 0)) return;
+    const PointState<Dim> p = point_state(b, contents, volume);
+    double* to = sums.add(item, state.mesh.block(slot).order).data();
+    *to++ = p.density;
+    for (int d = 0; d < Dim; ++d) *to++ = p.velocity[d];
+    *to++ = p.pressure;
+    for (const double s : p.stress) *to++ = s;
+    *to++ = p.von_mises;
+    *to++ = p.plastic_strain;
+    *to++ = p.temperature;
+  }
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                             \
+  template void probe_surface<Dim>(const State<Dim>&, const SurfacePoint<Dim>&, int, OrderedSums&);         \
+  template void probe_surface_at_rest<Dim>(const State<Dim>&, const SurfacePoint<Dim>&, int, OrderedSums&); \
+  template SurfaceReading<Dim> read_surface<Dim>(std::span<const double>);                                  \
+  template void follow_surface<Dim>(SurfacePoint<Dim>&, const SurfaceReading<Dim>&, double);                \
+  template void probe_point<Dim>(const State<Dim>&, int, const Vec<Dim>&, int, OrderedSums&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+
+#include "gauge/point_state.hpp"
+#include "parallel/ordered_sums.hpp"
+#include "state/body.hpp"
+
+namespace recoil {
+
+/// A point that rides on the surface of a body.
+template <int Dim>
+struct SurfacePoint {
+  int body = 0;
+  Vec<Dim> at;      // m
+  Vec<Dim> normal;  // out of the body; zero: not known yet
+};
+
+/// Velocity and normal of the surface at such a point.
+template <int Dim>
+struct SurfaceReading {
+  bool found = false;
+  Vec<Dim> velocity;  // m/s
+  Vec<Dim> normal;
+};
+
+/// Sums that a surface reading takes.
+template <int Dim>
+inline constexpr std::size_t surface_sums = 2 * (1 + 2 * Dim);
+
+/// Adds the walls near the point, of this rank's blocks: cut cells within 2 dx, or else 4 dx, of which the
+/// middle of the surface is r away count with exp(-2 r^2/dx^2) (|A_I|/dx^(Dim-1) + 0.02). Where the normal is
+/// known, surfaces that face the other way (the far side of a thin body) do not count. After a step.
+template <int Dim>
+void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int item, OrderedSums& sums);
+
+/// The same from the matter near the point and the level set, where there are no walls yet: at the start.
+template <int Dim>
+void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& point, int item,
+                           OrderedSums& sums);
+
+template <int Dim>
+SurfaceReading<Dim> read_surface(std::span<const double> sums);
+
+/// Moves the point by its normal velocity for a time dt [s], and gives it the surface's normal.
+template <int Dim>
+void follow_surface(SurfacePoint<Dim>& point, const SurfaceReading<Dim>& reading, double dt);
+
+/// Sums that the state at a place takes: density, velocity, pressure, stresses, von Mises stress, strain,
+/// temperature.
+template <int Dim>
+inline constexpr std::size_t point_sums = 5 + Dim + PointState<Dim>::stresses;
+
+/// Adds the state of a body in the cell that holds x, if this rank has it and it holds enough of the body.
+template <int Dim>
+void probe_point(const State<Dim>& state, int body, const Vec<Dim>& x, int item, OrderedSums& sums);
+
+}  // namespace recoil

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "parallel/team.hpp"
+#include "parallel/world.hpp"
+#include "state/body.hpp"
+
+namespace recoil {
+
+/// Sums over one body: per m2 in 1d, per m in planar geometry, per radian where axisymmetric.
+template <int Dim>
+struct BodyTotals {
+  double mass = 0;            // kg
+  Vec<Dim> momentum;          // kg m/s
+  double kinetic = 0;         // J
+  double energy = 0;          // J, kinetic and internal
+  double volume = 0;          // m^3 (1d: m, planar: m^2)
+  double speed = 0;           // kg m/s, sum of m |u|: the scale of momentum
+  Vec<Dim> place;             // kg m, sum of m x
+  double plastic_strain = 0;  // largest, in fragments of at least 0.3 of a cell
+  Vec<Dim> lowest, highest;   // m, extent; NaN where the body is nowhere
+  std::int64_t cells = 0;     // with matter
+
+  double internal() const { return energy - kinetic; }
+};
+
+/// What all bodies hold, and what they have passed to each other and through the edges of the domain since
+/// the start.
+template <int Dim>
+struct Totals {
+  double time = 0;                      // s
+  std::vector<BodyTotals<Dim>> bodies;  // zeros for rigid ones that move as prescribed
+  std::vector<Account<Dim>> edges;      // by body: what has left
+  std::vector<Account<Dim>> pairs;      // by pair_number: received by the lower-numbered body
+};
+
+/// Collective; the result is on rank 0, empty elsewhere. The bits do not depend on ranks or threads.
+/// @param team shares the blocks of this rank between its threads; null: this thread only.
+template <int Dim>
+Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world,
+                        parallel::Team* team = nullptr);
+
+/// What body m has received over all its contacts since the start. Rigid partners count.
+template <int Dim>
+Account<Dim> received(const Totals<Dim>& totals, int m);
+
+}  // namespace recoil

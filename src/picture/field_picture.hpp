@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "picture/colour_map.hpp"
+#include "picture/outline.hpp"
+#include "picture/png.hpp"
+
+namespace recoil {
+
+/// A field in the plane as colours, with the outlines of bodies and a colour bar. Also an x-t diagram:
+/// then y is time and `equal_aspect` false.
+struct FieldPicture {
+  int nx = 0, ny = 0;
+  double x0 = 0, y0 = 0;         ///< lower left corner of the cells [m] (or s)
+  double dx = 0, dy = 0;         ///< size of a cell [m] (or s)
+  std::vector<double> values{};  ///< cell (i, j) at [i + nx * j]; NaN: nothing there
+  /// Signed distance, negative inside, same shape; empty: none. With it the edge of the matter is drawn
+  /// smooth where it crosses zero, and not along the cells.
+  std::vector<double> level_set{};
+  std::vector<Outline> outlines{};    ///< drawn dark, physical coordinates
+  std::vector<Outline> mesh_lines{};  ///< drawn thin and pale (edges of blocks)
+  std::string title{}, note{};        ///< heading on the left; on the right, the time say
+  std::string label{};                ///< of the colour bar, with unit: "pressure [GPa]"
+  ColourMap map = ColourMap::sequential;
+  std::optional<std::pair<double, double>> range{};  ///< of the colours; none: of the values
+  bool interpolate = false;                          ///< linear between cell centres; false shows each cell
+  bool mirror = false;  ///< axisymmetric: draw x < 0 as the mirror image of x > 0
+  bool equal_aspect = true;
+  std::string x_title = "x [mm]", y_title = "y [mm]";
+  double x_scale = 1e3, y_scale = 1e3;     ///< from the data's unit to the one in the title
+  int max_width = 1200, max_height = 900;  ///< of the whole picture [pixels]
+  std::vector<Outline> references{};       ///< drawn orange, on top: what the outlines are compared with
+};
+
+/// Draws it. @throws InternalError where values (or level_set) are not nx * ny, or a size is not positive.
+Image field_picture(const FieldPicture& picture);
+
+}  // namespace recoil

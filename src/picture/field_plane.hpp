@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "format/run_units.hpp"
+#include "format/vtkhdf.hpp"
+#include "picture/outline.hpp"
+
+namespace recoil {
+
+/// A dump of a run, chosen by time.
+struct ChosenDump {
+  std::filesystem::path path;
+  double time_s = 0;
+};
+
+/// All dumps of `directory`/fields, in order. @throws InputError where there are none.
+std::vector<ChosenDump> all_dumps(const std::filesystem::path& directory);
+
+/// The dump nearest to a time [s] (none: the last) among those of `directory`/fields. @throws InputError
+/// where there are none.
+ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<double> time_s);
+
+/// One field in the plane, on even cells: what a picture needs. In 1-d one row of cells.
+struct FieldPlane {
+  PlaneArray values;                   ///< in the unit of the label; NaN: no matter
+  std::vector<std::string> bodies;     ///< names
+  std::vector<PlaneArray> level_sets;  ///< signed distance to each body [m], NaN far from everything
+  PlaneArray
+      matter;  ///< the least of those of bodies that hold matter: not of rigid ones; positive elsewhere
+  std::string label;           ///< "pressure [GPa]"
+  bool signed_values = false;  ///< a diverging colour map suits
+  double time_s = 0;
+};
+
+/// Takes a field out of a dump. `name` is a variable as cases write it, with a component of vectors and
+/// tensors where one is wanted: "pressure", "velocity" (its magnitude), "velocity.x", "stress.zz"; or "body",
+/// "contact".
+/// @param z the cut through a 3-D grid [m].
+/// @throws InputError for a name that the dump does not hold.
+FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const RunUnits& units, double z = 0);
+
+}  // namespace recoil

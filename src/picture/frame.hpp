@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include "picture/axis.hpp"
+#include "picture/canvas.hpp"
+
+namespace recoil {
+
+/// Colours and sizes that all pictures share.
+struct PictureStyle {
+  Rgb page{255, 255, 255};
+  Rgb ink{32, 34, 38};         ///< text, frames
+  Rgb soft_ink{96, 100, 108};  ///< second-rank text
+  Rgb grid{228, 231, 235};
+  Rgb void_space{236, 239, 243};  ///< where there is no matter
+  double text = 20;               ///< em of labels [pixels]
+  double title = 25;
+};
+inline constexpr PictureStyle kPictureStyle{};
+
+/// The rectangle in which data are drawn, with its two axes.
+struct Frame {
+  PixelRect area;
+  AxisScale x, y;
+  Ticks x_ticks, y_ticks;
+  std::string x_title, y_title;
+
+  /// Place of a value pair in the picture; NaN where a logarithm has none.
+  Point2 pixel(double x_value, double y_value) const;
+};
+
+/// Light lines at the marks, drawn before the data.
+void draw_grid(Image& image, const Frame& frame);
+
+/// Edge, marks, labels and titles, drawn after the data.
+void draw_axes(Image& image, const Frame& frame);
+
+/// Room that labels and title of the vertical axis take on the left [pixels].
+double left_margin(const Ticks& y_ticks);
+
+/// Room that labels and title of the horizontal axis take below [pixels].
+double bottom_margin();
+
+/// The heading: `title` bold on the left, `note` (the time, say) on the right, above `area`.
+void draw_heading(Image& image, const PixelRect& area, const std::string& title, const std::string& note);
+
+}  // namespace recoil

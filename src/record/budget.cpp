@@ -1,0 +1,95 @@
+#include "record/budget.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace recoil {
+
+template <int Dim>
+BudgetWatch<Dim>::BudgetWatch(std::vector<std::string> names, std::vector<bool> rigid,
+                              std::vector<bool> balanced)
+    : rigid_(std::move(rigid)), balanced_(std::move(balanced)), body_{-1} {
+  worst_.push_back({"total"});
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    if (rigid_[m]) continue;
+    body_.push_back(static_cast<int>(m));
+    worst_.push_back({names[m]});
+  }
+  now_ = worst_;
+  lines_.resize(body_.size());
+}
+
+/// Contents, without what came in and with what went out: constant but for errors.
+template <int Dim>
+typename BudgetWatch<Dim>::Sums BudgetWatch<Dim>::owed(const Totals<Dim>& t, int body) const {
+  const int n = static_cast<int>(t.bodies.size());
+  Sums s;
+  const auto counts = [&](int m) { return body < 0 ? !rigid_[m] : m == body; };
+  const auto add = [&s](double sign, const Account<Dim>& a) {
+    s.mass += sign * a.mass;
+    s.energy += sign * a.energy;
+    s.momentum += sign * a.momentum;
+  };
+  for (int m = 0; m < n; ++m) {
+    if (!counts(m)) continue;
+    const auto e = static_cast<std::size_t>(m);
+    add(1, {t.bodies[e].mass, t.bodies[e].energy, t.bodies[e].momentum});
+    add(1, t.edges[e]);
+    s.speed += t.bodies[e].speed;
+  }
+  for (int a = 0; a < n; ++a)
+    for (int b = a + 1; b < n; ++b)
+      if (counts(a) != counts(b))  // between two that count it cancels
+        add(counts(a) ? -1 : 1, t.pairs[pair_number(a, b, n)]);
+  return s;
+}
+
+template <int Dim>
+void BudgetWatch<Dim>::begin(const Totals<Dim>& start) {
+  for (std::size_t l = 0; l < lines_.size(); ++l) lines_[l].start = owed(start, body_[l]);
+  look(start);
+}
+
+template <int Dim>
+void BudgetWatch<Dim>::judge(std::size_t l, const Sums& s) {
+  Line& line = lines_[l];
+  line.most_speed = std::max(line.most_speed, s.speed);
+  // A body that never moves is measured with what moves around it.
+  const double speed = line.most_speed > 0 ? line.most_speed : lines_[0].most_speed;
+  const double energy = line.most_energy > 0 ? line.most_energy : lines_[0].most_energy;
+  const auto part = [](double error, double whole) {
+    return error == 0 ? 0 : error / (whole > 0 ? whole : 1);
+  };
+  const double mass_error = std::abs(s.mass - line.start.mass),
+               energy_error = std::abs(s.energy - line.start.energy);
+  double momentum_error = 0;
+  for (int d = 0; d < Dim; ++d)
+    if (balanced_[d])
+      momentum_error = std::max(momentum_error, std::abs(s.momentum[d] - line.start.momentum[d]));
+  line.mass_error = std::max(line.mass_error, mass_error);
+  line.momentum_error = std::max(line.momentum_error, momentum_error);
+  line.energy_error = std::max(line.energy_error, energy_error);
+  const double mass = std::abs(line.start.mass);
+  now_[l] = {now_[l].name, part(mass_error, mass), part(momentum_error, speed), part(energy_error, energy)};
+  worst_[l] = {worst_[l].name, part(line.mass_error, mass), part(line.momentum_error, speed),
+               part(line.energy_error, energy)};
+}
+
+template <int Dim>
+void BudgetWatch<Dim>::look(const Totals<Dim>& t) {
+  double all = 0;
+  for (std::size_t l = 1; l < lines_.size(); ++l) {
+    const double energy = t.bodies[body_[l]].energy;
+    lines_[l].most_energy = std::max(lines_[l].most_energy, std::abs(energy));
+    all += energy;
+  }
+  lines_[0].most_energy = std::max(lines_[0].most_energy, std::abs(all));
+  for (std::size_t l = 0; l < lines_.size(); ++l) judge(l, owed(t, body_[l]));
+}
+
+template class BudgetWatch<1>;
+template class BudgetWatch<2>;
+template class BudgetWatch<3>;
+
+}  // namespace recoil

@@ -1,0 +1,114 @@
+#include "record/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace recoil {
+
+namespace {
+
+template <int Dim>
+void add_vector(Quantities& q, const RunUnits& units, const std::string& name, const Vec<Dim>& v,
+                double scale = 1) {
+  for (int d = 0; d < Dim; ++d) q.numbers[name + "." + units.axes[d]] = scale * v[d];
+  if (Dim == 1) q.numbers[name] = scale * v[0];
+}
+
+template <int Dim>
+void add_body(Quantities& q, const RunUnits& u, const std::string& name, const BodyTotals<Dim>& b) {
+  q.numbers[name + ".mass"] = u.whole * b.mass;
+  q.numbers[name + ".kinetic"] = u.whole * b.kinetic;
+  q.numbers[name + ".internal"] = u.whole * b.internal();
+  q.numbers[name + ".energy"] = u.whole * b.energy;
+  add_vector(q, u, name + ".momentum", b.momentum, u.whole);
+}
+
+void add_contacts(Quantities& q, const EventWatch& events) {
+  for (const PairStory& s : events.stories())
+    for (const std::string& pair : {s.first + "-" + s.second, s.second + "-" + s.first}) {
+      const std::string name = "contact." + pair;
+      q.numbers[name + ".made"] = s.made;
+      q.numbers[name + ".opens"] = s.opens;
+      q.numbers[name + ".lasts"] = s.opens - s.made;
+      q.numbers[name + ".recloses"] = s.closes_again;
+      q.numbers[name + ".reopens"] = s.opens_again;
+      q.numbers[name + ".restitution"] = s.restitution;
+      q.flags[name + ".made"] = !std::isnan(s.made);
+      q.flags[name + ".opens"] = !std::isnan(s.opens);
+      q.flags[name + ".recloses"] = s.recloses;
+    }
+  for (const char* kind : {"contact", "opening", "reclosure", "ricochet", "lift-off"})
+    q.flags[std::string("event.") + kind] = false;
+  for (const Event& e : events.events()) q.flags["event." + e.kind] = true;
+}
+
+}  // namespace
+
+template <int Dim>
+Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::string>& names,
+                           const std::vector<bool>& rigid, const RunUnits& units,
+                           const std::vector<Drift>& budgets, const EventWatch& events,
+                           const std::vector<std::pair<std::string, std::int64_t>>& floors, long steps) {
+  Quantities q;
+  BodyTotals<Dim> all;
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    if (rigid[m]) continue;
+    const BodyTotals<Dim>& b = totals.bodies[m];
+    const std::string name = "body." + names[m];
+    add_body(q, units, name, b);
+    q.numbers[name + ".volume"] = units.whole * b.volume;
+    q.numbers[name + ".plastic-strain"] = b.plastic_strain;
+    add_vector(q, units, name + ".velocity", b.momentum, 1 / b.mass);
+    add_vector(q, units, name + ".position", b.place, 1 / b.mass);
+    add_vector(q, units, name + ".lowest", b.lowest);
+    add_vector(q, units, name + ".highest", b.highest);
+    all.mass += b.mass, all.kinetic += b.kinetic, all.energy += b.energy, all.momentum += b.momentum;
+  }
+  add_body(q, units, "body.total", all);
+  for (const Drift& d : budgets) {
+    q.numbers["budget." + d.name + ".mass"] = d.mass;
+    q.numbers["budget." + d.name + ".momentum"] = d.momentum;
+    q.numbers["budget." + d.name + ".energy"] = d.energy;
+  }
+  for (const auto& [name, count] : floors) q.numbers["floor." + name] = static_cast<double>(count);
+  q.numbers["run.steps"] = static_cast<double>(steps);
+  add_contacts(q, events);
+  return q;
+}
+
+std::vector<GaugeSummary> summarise(const std::vector<TimeSeries>& gauges) {
+  std::vector<GaugeSummary> all;
+  for (const TimeSeries& s : gauges) {
+    if (s.over.unit != "us") continue;  // a peak and an arrival have a time
+    const Curve main = curve_of(s, 0);
+    const SeriesColumn& c = s.columns[0];
+    all.push_back({s.name, c.name, c.unit, c.to_unit, peak_of(main), arrival_of(main)});
+  }
+  return all;
+}
+
+void check_known(const Quantities& quantities, const std::vector<config::Expectation>& expect) {
+  for (const config::Expectation& e : expect) try {
+      measure(quantities, e.quantity, e.is_flag);
+    } catch (const InputError& error) {
+      std::string text = error.what();
+      const std::string where = fmt::format("\n  --> {}:{}:{}", e.place.file, e.place.line, e.place.column);
+      text.insert(std::min(text.size(), text.find("\n   = help")), where);
+      throw InputError(text);
+    }
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                                 \
+  template Quantities find_quantities<Dim>(const Totals<Dim>&, const std::vector<std::string>&, \
+                                           const std::vector<bool>&, const RunUnits&,           \
+                                           const std::vector<Drift>&, const EventWatch&,        \
+                                           const std::vector<std::pair<std::string, std::int64_t>>&, long);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

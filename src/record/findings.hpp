@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "format/run_units.hpp"
+#include "record/budget.hpp"
+#include "record/events.hpp"
+#include "record/quantities.hpp"
+#include "record/summary.hpp"
+
+namespace recoil {
+
+/// All numbers and flags that a run can be asked for, from its last sums, balances and events; gauges are
+/// added by the caller.
+///   body.NAME.  mass, kinetic, internal, energy, volume, plastic-strain, and by AXIS momentum, velocity,
+///   position, lowest, highest body.total. mass, kinetic, internal, energy, and by AXIS momentum
+///   budget.NAME.mass|momentum|energy; floor.NAME; run.steps
+///   contact.A-B.made|opens|lasts|recloses|reopens|restitution in either order of the names; event.KIND
+/// With one axis only, vectors also go by their name without it.
+template <int Dim>
+Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::string>& names,
+                           const std::vector<bool>& rigid, const RunUnits& units,
+                           const std::vector<Drift>& budgets, const EventWatch& events,
+                           const std::vector<std::pair<std::string, std::int64_t>>& floors, long steps);
+
+/// The main columns of all gauges in short.
+std::vector<GaugeSummary> summarise(const std::vector<TimeSeries>& gauges);
+
+/// Throws where an expectation asks for something that this run cannot know, before time is spent on it.
+/// @throws InputError naming file and line.
+void check_known(const Quantities& quantities, const std::vector<config::Expectation>& expect);
+
+}  // namespace recoil

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "format/csv.hpp"
+#include "format/run_units.hpp"
+#include "record/budget.hpp"
+
+namespace recoil {
+
+/// history.csv: `time [us]`, then for every deformable body, and for `total`, columns NAME.QUANTITY:
+/// mass, momentum.AXIS, kinetic, internal, volume; exchange.impulse.AXIS and exchange.work, received over the
+/// contacts since the start (for `total`: from rigid bodies); edges.mass, edges.momentum.AXIS, edges.energy,
+/// what has left through the edges of the domain; drift.mass, drift.momentum, drift.energy (see Drift). On
+/// rank 0 only.
+template <int Dim>
+class History {
+ public:
+  /// @throws EnvironmentError.
+  History(const std::filesystem::path& path, const std::vector<std::string>& names,
+          const std::vector<bool>& rigid, const RunUnits& units);
+  /// @param drifts of this time, `total` first, as BudgetWatch::now().
+  void row(const Totals<Dim>& totals, const std::vector<Drift>& drifts);
+  void flush() { file_->flush(); }
+
+ private:
+  std::vector<bool> rigid_;
+  double whole_;
+  std::optional<CsvWriter> file_;
+  std::vector<double> values_;
+};
+
+}  // namespace recoil

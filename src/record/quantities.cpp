@@ -1,0 +1,224 @@
+#include "record/quantities.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/units.hpp"
+#include "core/closest.hpp"
+#include "core/error.hpp"
+#include "format/csv.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+[[noreturn]] void unknown(const std::string& quantity, const std::string& what, const std::string& word,
+                          const std::vector<std::string>& known) {
+  const std::string near = did_you_mean(word, known);
+  throw InputError(fmt::format("error: the quantity '{}': {}\n   = help: {}", quantity, what,
+                               !near.empty() ? near : fmt::format("known are: {}", fmt::join(known, ", "))));
+}
+
+double number_of(const std::string& quantity, const std::string& text, const std::string& si_unit) {
+  const config::Quantity q = config::parse_quantity(text, si_unit, quantity);
+  if (q.ok()) return q.value;
+  throw InputError(fmt::format("error: the quantity '{}': {}{}{}", quantity, q.problem,
+                               q.help.empty() ? "" : "\n   = help: ", q.help));
+}
+
+/// What of a column is asked for: `gauge.NAME.COLUMN.reduction@argument`.
+struct Request {
+  std::string quantity, gauge, column, reduction, argument;
+};
+
+constexpr const char* reductions[] = {"at",   "peak", "last",    "max",   "min",
+                                      "mean", "rms",  "arrival", "until", "error"};
+
+Request parse_request(const std::string& quantity) {
+  Request r;
+  r.quantity = quantity;
+  const std::size_t at = quantity.find('@');
+  std::string name = quantity.substr(0, at);
+  if (at != std::string::npos) r.argument = quantity.substr(at + 1);
+  name.erase(0, std::string("gauge.").size());
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos)
+    throw InputError(fmt::format(
+        "error: the quantity '{}' names no column\n   = help: e.g. gauge.{}.velocity@3.8us", quantity, name));
+  r.gauge = name.substr(0, dot);
+  r.column = name.substr(dot + 1);
+  const std::size_t last = r.column.rfind('.');
+  const std::string tail = last == std::string::npos ? "" : r.column.substr(last + 1);
+  if (std::find(std::begin(reductions), std::end(reductions), tail) != std::end(reductions)) {
+    r.reduction = tail;
+    r.column.erase(last);
+  } else if (at != std::string::npos) {
+    r.reduction = "at";
+  } else {
+    throw InputError(
+        fmt::format("error: the quantity '{}' does not say which value of the record\n"
+                    "   = help: append @TIME, .peak, .last, .max, .min, .mean@FROM..TO, .rms@FROM..TO, "
+                    ".arrival@LEVEL or .until@LEVEL",
+                    quantity));
+  }
+  const bool bare = r.reduction == "peak" || r.reduction == "last";
+  const bool either = r.reduction == "max" || r.reduction == "min";
+  if (!either && bare != r.argument.empty())
+    throw InputError(fmt::format("error: the quantity '{}': '{}' {}", quantity, r.reduction,
+                                 bare ? "takes nothing behind '@'" : "needs something behind '@'"));
+  return r;
+}
+
+struct Window {
+  double from = 0, to = 0;
+};
+
+/// @param over what the record runs over: time or distance.
+Window parse_window(const Request& r, const std::string& text, const SeriesColumn& over) {
+  const std::size_t dots = text.find("..");
+  const std::string unit = config::si_unit_of(over.unit);
+  if (dots == std::string::npos)
+    throw InputError(fmt::format("error: the quantity '{}': '{}' is no span of {}\n   = help: e.g. {}",
+                                 r.quantity, text, over.name, unit == "s" ? "0.2us..0.5us" : "2mm..5mm"));
+  const Window w{number_of(r.quantity, text.substr(0, dots), unit),
+                 number_of(r.quantity, text.substr(dots + 2), unit)};
+  if (!(w.to > w.from))
+    throw InputError(fmt::format("error: the quantity '{}': the span of {} is empty", r.quantity, over.name));
+  return w;
+}
+
+double size_of(const CsvTable& table, const std::string& column) {
+  const std::string unit = table.unit(column);
+  if (unit.empty())
+    throw InputError(
+        fmt::format("error: the column '{}' of '{}' names no unit\n   = help: write it like `time [us]`",
+                    column, table.path.string()));
+  return config::unit_size(unit);
+}
+
+/// The reference curve in FILE:COLUMN; time or distance is the file's first column.
+Curve read_reference(const Quantities& q, const Request& r, const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0)
+    throw InputError(
+        fmt::format("error: the quantity '{}' names no reference\n"
+                    "   = help: e.g. .error@3us..5us:reference.csv:velocity",
+                    r.quantity));
+  const CsvTable table = read_csv(q.folder / text.substr(0, colon));
+  const std::string column = text.substr(colon + 1);
+  Curve curve{table.numbers(table.columns.front()), table.numbers(column)};
+  const double time = size_of(table, table.columns.front()), value = size_of(table, column);
+  for (double& t : curve.t) t *= time;
+  for (double& y : curve.y) y *= value;
+  if (!std::is_sorted(curve.t.begin(), curve.t.end()))
+    throw InputError(fmt::format("error: the times in '{}' do not rise", table.path.string()));
+  return curve;
+}
+
+std::string si_unit(const SeriesColumn& column) {
+  return column.unit == "1" || column.unit == "dx" ? "1" : config::si_unit_of(column.unit);
+}
+
+/// The largest or smallest value, of the whole record or of a span of time.
+double extreme(const Request& r, const Curve& curve, const SeriesColumn& over) {
+  if (curve.t.empty()) return nothing;
+  const Window w =
+      r.argument.empty() ? Window{curve.t.front(), curve.t.back()} : parse_window(r, r.argument, over);
+  if (curve.t.size() == 1 && r.argument.empty()) return curve.y.front();
+  return r.reduction == "max" ? most_over(curve, w.from, w.to) : least_over(curve, w.from, w.to);
+}
+
+double reduce(const Quantities& q, const Request& r, const TimeSeries& series, std::size_t column) {
+  const Curve curve = curve_of(series, column);
+  if (r.reduction == "at")
+    return value_at(curve, number_of(r.quantity, r.argument, config::si_unit_of(series.over.unit)));
+  if (r.reduction == "peak") return peak_of(curve).value;
+  if (r.reduction == "last") return curve.y.empty() ? nothing : curve.y.back();
+  if (r.reduction == "max" || r.reduction == "min") return extreme(r, curve, series.over);
+  if (r.reduction == "arrival")
+    return arrival_at(curve, number_of(r.quantity, r.argument, si_unit(series.columns[column])));
+  if (r.reduction == "until")
+    return last_at(curve, number_of(r.quantity, r.argument, si_unit(series.columns[column])));
+  const std::size_t colon = r.reduction == "error" ? r.argument.find(':') : std::string::npos;
+  const Window w = parse_window(r, r.argument.substr(0, colon), series.over);
+  if (r.reduction == "mean") return mean_over(curve, w.from, w.to);
+  if (r.reduction == "rms") return rms_over(curve, w.from, w.to);
+  const std::string where = colon == std::string::npos ? "" : r.argument.substr(colon + 1);
+  return distance_over(curve, read_reference(q, r, where), w.from, w.to);
+}
+
+double measure_gauge(const Quantities& q, const std::string& name) {
+  const Request r = parse_request(name);
+  std::vector<std::string> names;
+  for (const TimeSeries& s : q.gauges) {
+    names.push_back(s.name);
+    if (s.name != r.gauge) continue;
+    const std::size_t column = s.find(r.column);
+    if (column < s.columns.size()) return reduce(q, r, s, column);
+    std::vector<std::string> columns;
+    for (const SeriesColumn& c : s.columns) columns.push_back(c.name);
+    unknown(name, fmt::format("gauge '{}' has no column '{}'", r.gauge, r.column), r.column, columns);
+  }
+  unknown(name, fmt::format("there is no gauge '{}'", r.gauge), r.gauge, names);
+}
+
+template <class Map>
+std::vector<std::string> keys_of(const Map& map) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : map) keys.push_back(key);
+  return keys;
+}
+
+}  // namespace
+
+Measured measure(const Quantities& q, const std::string& name, bool as_flag) {
+  Measured m;
+  m.is_flag = as_flag;
+  if (as_flag) {
+    const auto found = q.flags.find(name);
+    if (found == q.flags.end())
+      unknown(name, "there is nothing of this name that is true or false", name, keys_of(q.flags));
+    m.flag = found->second;
+    m.value = m.flag ? 1 : 0;
+    return m;
+  }
+  if (name.starts_with("gauge.")) {
+    m.value = measure_gauge(q, name);
+    if (std::isnan(m.value)) m.problem = "the record has no value there";
+    return m;
+  }
+  const auto found = q.numbers.find(name);
+  if (found == q.numbers.end()) unknown(name, "there is no number of this name", name, keys_of(q.numbers));
+  m.value = found->second;
+  if (std::isnan(m.value)) m.problem = "it did not happen";
+  return m;
+}
+
+CheckResult check(const Quantities& q, const config::Expectation& e) {
+  CheckResult r;
+  r.expected = e;
+  try {
+    r.measured = measure(q, e.quantity, e.is_flag);
+  } catch (const InputError& error) {
+    r.measured = {nothing, e.is_flag, false, error.what()};
+    return r;
+  }
+  if (e.is_flag)
+    r.pass = r.measured.flag == e.flag;
+  else if (std::isnan(r.measured.value))
+    r.pass = false;
+  else if (e.at_most)
+    r.pass = r.measured.value <= e.value;
+  else if (e.at_least)
+    r.pass = r.measured.value >= e.value;
+  else
+    r.pass = std::abs(r.measured.value - e.value) <= e.tolerance * (1 + 1e-12);
+  return r;
+}
+
+}  // namespace recoil

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/case.hpp"
+#include "parallel/team.hpp"
+#include "parallel/world.hpp"
+#include "record/summary.hpp"
+#include "state/body.hpp"
+
+namespace recoil {
+
+/// Everything that a run leaves behind: history.csv, events.csv, gauges/, fields/, status.json, summary.json.
+/// Every member function is collective unless it says otherwise; only rank 0 writes. What is written does not
+/// depend on the number of ranks or threads.
+template <int Dim>
+class Recorder {
+ public:
+  /// Opens the files in `directory`, which must exist; files of an earlier run there are replaced.
+  /// @param case_ its gauges, outputs and expectations; must outlive the recorder.
+  /// @param team threads for the sums over all cells; null: this thread only.
+  /// @throws InputError for an unknown output variable, EnvironmentError where the disk refuses.
+  Recorder(const config::Case& case_, const State<Dim>& state, const parallel::World& world,
+           std::filesystem::path directory, parallel::Team* team = nullptr);
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// The start, after prepare_start(): first records and first fields.
+  void begin(const State<Dim>& state);
+  /// After every advance() with the length that it returned [s].
+  void after_step(const State<Dim>& state, double dt);
+  /// The end: last records and fields, expectations, summary.json and status.json.
+  Summary finish(const State<Dim>& state, const RunFacts& facts);
+  /// After a failure: hands on what is written so far and says "failed" in status.json. Not collective.
+  void abandon(const State<Dim>& state);
+
+  /// Events since the last call, for the live display; empty but on rank 0. Not collective.
+  std::vector<Event> take_news();
+  /// Balances as last looked at (`total` first); empty but on rank 0. Not collective.
+  const std::vector<Drift>& budgets() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// What a case is called in files: the name of its file, or of its folder where the file is called case.toml.
+std::string case_name(const config::Case& case_);
+
+}  // namespace recoil

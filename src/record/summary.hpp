@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/case.hpp"
+#include "record/budget.hpp"
+#include "record/events.hpp"
+#include "record/quantities.hpp"
+
+namespace recoil {
+
+/// What the recorder cannot know itself.
+struct RunFacts {
+  std::string version;
+  int exit = 0;                             ///< 5 is put in its place where an expectation fails
+  double wall_s = 0;                        ///< of the time loop
+  double cpu_s = 0;                         ///< of all processes and threads, in the time loop
+  std::vector<config::Expectation> expect;  ///< beyond those of the case, of expected.toml
+};
+
+/// The main column of a gauge in short.
+struct GaugeSummary {
+  std::string name, column, unit;
+  double to_unit = 1;
+  Peak peak;           ///< SI
+  double arrival = 0;  ///< s
+};
+
+/// What summary.json says. Complete on rank 0; elsewhere only `exit` and `passed`.
+struct Summary {
+  std::string version, case_name;
+  int exit = 0;
+  bool passed = true;  ///< every expectation
+  double time = 0;     ///< s
+  long steps = 0;
+  std::int64_t cells = 0;                  ///< with matter, at the end
+  double wall_s = 0, cpu_s = 0, rate = 0;  ///< s, s; million cell stages per second
+  std::vector<Drift> budgets;              ///< of `total`, then of every deformable body
+  std::vector<GaugeSummary> gauges;
+  std::vector<Event> events;
+  std::vector<std::pair<std::string, std::int64_t>> floors;
+  std::vector<CheckResult> expect;
+};
+
+/// Writes summary.json, in one step. @throws EnvironmentError.
+void write_summary(const std::filesystem::path& path, const Summary& summary);
+
+/// How a run stands, for `recoil status` and the live line.
+struct Status {
+  std::string state;                 ///< "running", "finished", "failed", "stopped"
+  double time = 0, end = 0, dt = 0;  ///< s
+  long steps = 0;
+  double wall_s = 0, left_s = 0;  ///< s, left: estimated
+  std::vector<Drift> budgets;
+};
+
+/// Writes status.json, in one step. @throws EnvironmentError.
+void write_status(const std::filesystem::path& path, const Status& status);
+
+}  // namespace recoil

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "field/window.hpp"
+#include "material/material.hpp"
+#include "state/cut_cell.hpp"
+#include "state/rigid_motion.hpp"
+
+namespace recoil {
+
+/// What a cell's fragment is good for; fixed for a step.
+enum Role : std::uint8_t {
+  donates = 1,          // V > 0.3 full: takes part in fits
+  regular = 2,          // V >= 0.5 full: its average stands in stencils
+  valued = 4,           // has a value for stencils
+  has_bad_contents = 8  // inadmissible
+};
+
+/// One body in one block; arrays over the block's layout, component after component, and compact lists of cut
+/// cells. Empty where the body is not.
+template <int Dim>
+struct BodyBlock {
+  bool present = false;
+  bool near_surface = false;  // some cell within the reach of the surface
+  Box<Dim> reach{};   // cells with phi < 5.5 dx or with matter: where surfaces and moves may matter in a step
+  Box<Dim> matter{};  // cells that the mid-step geometry or V gives to the body; may be empty
+  std::vector<double> contents, contents_old;  // Q [Components::contents]
+  std::vector<double> volume, volume_old;      // V
+  std::vector<double> phi, phi_next;  // signed distance [m], negative inside; phi_next also holds mid-step
+  std::vector<double> extension_velocity;  // velocity that carries phi [Dim]
+  std::vector<double> average;  // primitives of the averages of donors; while fluxes are taken: what
+                                // reconstructions read (fill_stencil_values)
+  std::vector<std::uint8_t> role;
+  std::vector<std::uint32_t> contact;  // bit of every body that the fragment touched in the last step
+  Geometry<Dim> geometry;              // mid-step, with shared surfaces: what the stages use
+  Geometry<Dim> end_geometry;          // after the step: what moves of volume use
+  std::vector<Wall<Dim>> walls;        // one for each of geometry.cuts
+  std::vector<Donor<Dim>> donors;
+  std::vector<GhostCell<Dim>> ghosts;
+  std::vector<Update<Dim>> updates;
+  std::vector<double> contents_sum;  // of the stages of the classical Runge-Kutta rule; empty without it
+};
+
+template <int Dim>
+struct Body {
+  std::string name;
+  Material material;           // not used by rigid bodies
+  TemperatureLaw temperature;  // of the material
+  std::optional<RigidMotion<Dim>> rigid;
+  std::vector<BodyBlock<Dim>> blocks;  // by slot
+
+  BodyBlock<Dim>& at(int slot) { return blocks[slot]; }
+  const BodyBlock<Dim>& at(int slot) const { return blocks[slot]; }
+  bool present(int slot) const { return at(slot).present; }
+};
+
+/// What is counted because it should not happen, or only in extreme cases. Reported in summary.json.
+struct Counters {
+  std::int64_t first_order_faces = 0, faces_without_value = 0, cuts_without_donor = 0, averaged_states = 0,
+               wide_neighbourhoods = 0, widest_neighbourhoods = 0, unmerged_fragments = 0,
+               lone_fragments_moved = 0, capped_speeds = 0, volume_bounds = 0, volume_bounds_left = 0,
+               floored_sound_speeds = 0, contacts_lost = 0;
+
+  Counters& operator+=(const Counters& b);
+  /// Name and count of each, in a fixed order.
+  std::vector<std::pair<const char*, std::int64_t*>> list();
+};
+
+/// What passed between two bodies, or through the edges of the domain, since the start. Summed block by
+/// block.
+template <int Dim>
+struct Account {
+  double mass = 0, energy = 0;
+  Vec<Dim> momentum;
+};
+
+/// What one block adds to the record of a pair of bodies in one step, and since the start.
+template <int Dim>
+struct PairRecord {
+  Account<Dim> exchanged;                      // received by the lower-numbered body [per time-integrated]
+  double area = 0;                             // in contact, last stage [m^(Dim-1)]
+  Vec<Dim> force;                              // on the lower-numbered body, last stage
+  double traction = 0, velocity = 0, gap = 0;  // area-weighted sums, last stage
+  Vec<Dim> place;                              // area-weighted sum of x_I
+  Vec<3> moment;                               // as exchanged.momentum, about the origin [N m s]
+  double widest_gap = 0, deepest_overlap = 0;  // in dx, at touching cells, last stage
+};
+
+/// What one block has seen; kept per block so that sums over blocks do not depend on ranks or threads.
+template <int Dim>
+struct BlockLedger {
+  std::vector<PairRecord<Dim>> pairs;  // by pair_number
+  std::vector<Account<Dim>> edges;     // by body: what left through the edges of the domain
+  Counters counters;
+};
+
+/// What holds where two bodies meet.
+struct ContactLaw {
+  enum class Mode : std::uint8_t {
+    separable,  // pressed together or apart, never pulled; no shear
+    bonded,     // glued once they have touched: neither parts nor slides
+    friction    // separable, with Coulomb friction
+  };
+  Mode mode = Mode::separable;
+  double coefficient = 0;  // of friction
+};
+
+/// Everything that a run advances.
+template <int Dim>
+struct State {
+  Mesh<Dim> mesh;
+  std::vector<Body<Dim>> bodies;
+  std::vector<BlockLedger<Dim>> ledger;  // by local slot
+  std::vector<ContactLaw> contact;       // by pair_number
+  double time = 0;                       // s
+  long step = 0;
+  double travel = 0;  // of surfaces since the last full redistancing [m]
+
+  const Grid<Dim>& grid() const { return mesh.grid(); }
+  int count() const { return static_cast<int>(bodies.size()); }
+};
+
+/// At most this many bodies: a cell's partners are bits of one word.
+inline constexpr int most_bodies = 32;
+
+/// Number of the pair a < b among all pairs of n bodies.
+constexpr int pair_number(int a, int b, int n) { return a * (2 * n - a - 1) / 2 + b - a - 1; }
+
+/// Makes room for a body in a block, with nothing of it there: no volume, phi = far.
+template <int Dim>
+void enter_block(Body<Dim>& body, int slot, const Grid<Dim>& grid);
+template <int Dim>
+void leave_block(Body<Dim>& body, int slot);
+
+/// BodyBlock::reach holds the cells up to this far outside [cells].
+inline constexpr double reach_cells = 5.5;
+/// Beyond this distance phi is not kept: it is +far or -far there [cells].
+inline constexpr double far_cells = 8;
+/// Redistancing reaches this far [cells].
+inline constexpr double band_cells = 7.5;
+
+/// Grows a box to hold one more cell.
+template <int Dim>
+void extend(Box<Dim>& box, const Index<Dim>& i) {
+  const bool empty = box.size() == 0;
+  for (int d = 0; d < Dim; ++d) {
+    if (empty || i[d] < box.lo[d]) box.lo[d] = i[d];
+    if (empty || i[d] >= box.hi[d]) box.hi[d] = i[d] + 1;
+  }
+}
+
+/// Puts a block's updates in place.
+template <int Dim>
+void apply_updates(BodyBlock<Dim>& block);
+
+}  // namespace recoil

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/vec.hpp"
+#include "field/components.hpp"
+
+namespace recoil {
+
+enum class CellKind : std::uint8_t { empty, full, cut };
+
+/// What the level set says of a cell that the surface of a body cuts. Areas [m^(Dim-1)] and volumes [m^Dim]
+/// are per radian and r-weighted in an axisymmetric domain.
+template <int Dim>
+struct CutCell {
+  int cell = 0;                                   // in the layout of its block
+  std::array<std::array<double, 2>, Dim> open{};  // open area of the [low, high] face across each axis
+  double plane_area = 0;  // area of the fragment in the r-z plane; 0 if not axisymmetric
+  double volume = 0;      // V_phi
+  Vec<Dim> centroid;      // of the fragment, from the cell's centre, in dx
+  Vec<Dim> surface;       // area vector A_I of the surface, out of the body, by closure
+  Vec<Dim> point;         // x_I [m], the middle of the surface in the cell
+  double mismatch = 0;    // (V - V_phi)/A_I [m], how far phi lags behind V
+};
+
+/// The kinds of all cells of a block, for one body, and the list of those that are cut.
+template <int Dim>
+struct Geometry {
+  std::vector<CellKind> kind;
+  std::vector<int> index;  // place in cuts, or -1
+  std::vector<CutCell<Dim>> cuts;
+};
+
+/// The state of a surface in one cut cell: the fit through the matter behind it, and what the wall does to
+/// it. One for each entry of Geometry::cuts.
+template <int Dim>
+struct Wall {
+  using C = Components<Dim>;
+  // the fit's donors; fixed for a step
+  int first_donor = 0, donors = 0;
+  Vec<Dim> donor_centre;  // weighted mean of the donors' places from x_I, in dx
+  // the fit of this stage
+  Primitives<Dim> value{};  // at x_I
+  Primitives<Dim> range{};  // largest minus smallest value of the donors; extra: of S_zz in 3-D
+  std::array<Vec<Dim>, C::primitives> gradient{};  // per dx
+  // the wall of this stage
+  Vec<Dim> normal;             // out of the body
+  double traction = 0;         // sigma* of the contact [Pa], 0 where free
+  Vec<Dim> shear;              // tau* of the contact on the outward normal [Pa], 0 without friction
+  Vec<Dim> face_velocity;      // of the main part of the wall
+  Vec<Dim> velocity;           // area mean over its parts
+  Vec<Dim> mean_velocity;      // of the stages so far, with the weights of the scheme
+  std::uint32_t partners = 0;  // bit of every body that it touches
+  // rates of the fragment's volume and contents, and the integral of the velocity gradient, by the wall
+  double volume_rate = 0;
+  Vec<Dim> force;
+  double power = 0;
+  std::array<Vec<Dim>, Dim> stretching{};  // [i][j]: integral of u_i n_j
+};
+
+/// A cell whose average takes part in a fit.
+template <int Dim>
+struct Donor {
+  int slot = 0, cell = 0;
+  unsigned flips = 0;
+  double weight = 0;      // of the mean
+  Vec<Dim> slope_weight;  // of the gradient, per dx
+};
+
+/// A cell beyond a surface that a reconstruction reads, and the wall that speaks for it.
+template <int Dim>
+struct GhostCell {
+  int cell = 0;
+  int slot = -1, wall = 0;  // -1: no wall near
+  unsigned flips = 0;       // between here and the wall
+  Vec<Dim> normal;          // of the body at the foot point
+  Vec<Dim> from_wall;       // foot point minus the wall's x_I [m], in the wall's own frame
+  double distance = 0;      // [m] along the normal, positive outside
+};
+
+/// A cell's new volume and contents, found from an old state and put in place when all are known.
+template <int Dim>
+struct Update {
+  int cell = 0;
+  double volume = 0;
+  Contents<Dim> contents{};
+};
+
+}  // namespace recoil

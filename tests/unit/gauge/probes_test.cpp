@@ -1,0 +1,116 @@
+#include "gauge/probes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../support/small_case.hpp"
+
+namespace recoil {
+namespace {
+
+const char* slab = R"(
+format = 1
+[domain]
+geometry = "planar"
+x = ["-4 mm", "4 mm"]
+y = ["-4 mm", "4 mm"]
+[mesh]
+finest = "0.25 mm"
+[time]
+end = "1 us"
+[body.slab]
+material = "none"
+shape = { kind = "box", x = ["-3 mm", "3 mm"], y = ["-1 mm", "0.1 mm"] }
+velocity = { x = "7 m/s", y = "30 m/s" }
+)";
+
+template <class Probe>
+SurfaceReading<2> reading(Probe&& probe) {
+  OrderedSums sums;
+  const int item = sums.item(surface_sums<2>);
+  probe(item, sums);
+  sums.reduce(parallel::World{});
+  return read_surface<2>(sums.total(item));
+}
+
+TEST(Probes, SurfaceAtRestKnowsItsNormal) {
+  const State<2> state = state_of<2>(case_from(slab));
+  const auto up = reading([&](int item, OrderedSums& sums) {
+    probe_surface_at_rest(state, SurfacePoint<2>{0, {{0, 0.1e-3}}, {}}, item, sums);
+  });
+  ASSERT_TRUE(up.found);
+  EXPECT_NEAR(up.velocity[1], 30, 1e-9);
+  EXPECT_NEAR(up.normal[0], 0, 1e-9);
+  EXPECT_NEAR(up.normal[1], 1, 1e-9);
+  const auto down = reading([&](int item, OrderedSums& sums) {
+    probe_surface_at_rest(state, SurfacePoint<2>{0, {{0, -1e-3}}, {}}, item, sums);
+  });
+  EXPECT_NEAR(down.normal[1], -1, 1e-9);
+  const auto nowhere = reading([&](int item, OrderedSums& sums) {
+    probe_surface_at_rest(state, SurfacePoint<2>{0, {{0, 3e-3}}, {}}, item, sums);
+  });
+  EXPECT_FALSE(nowhere.found);
+}
+
+/// Gives a block two cut cells, one above the other, that face opposite ways.
+State<2> with_walls() {
+  State<2> state = state_of<2>(case_from(slab));
+  for (int slot = 0; slot < state.mesh.local(); ++slot) {
+    auto& b = state.bodies[0].at(slot);
+    if (!b.present || !state.mesh.block(slot).cells.contains(state.grid().cell_of({{1e-5, 1e-5}}))) continue;
+    for (const double sign : {1.0, -1.0}) {
+      CutCell<2> cut;
+      cut.surface = {{0, sign * 0.25e-3}};
+      cut.point = {{0, sign * 0.1e-3}};
+      Wall<2> wall;
+      wall.normal = {{0, sign}};
+      wall.mean_velocity = {{1, sign * 10}};
+      b.geometry.cuts.push_back(cut);
+      b.walls.push_back(wall);
+    }
+  }
+  return state;
+}
+
+TEST(Probes, TheFarSideOfAThinBodyDoesNotCount) {
+  const State<2> state = with_walls();
+  SurfacePoint<2> point{0, {{0, 0.1e-3}}, {{0, 1}}};
+  const auto r = reading([&](int item, OrderedSums& sums) { probe_surface(state, point, item, sums); });
+  ASSERT_TRUE(r.found);
+  EXPECT_DOUBLE_EQ(r.velocity[1], 10);
+  EXPECT_DOUBLE_EQ(r.velocity[0], 1);
+  follow_surface(point, r, 1e-6);
+  EXPECT_NEAR(point.at[1], 0.11e-3, 1e-12);
+  EXPECT_EQ(point.at[0], 0) << "along the normal only";
+
+  const SurfacePoint<2> unaware{0, {{0, 0}}, {}};
+  const auto both = reading([&](int item, OrderedSums& sums) { probe_surface(state, unaware, item, sums); });
+  EXPECT_NEAR(both.velocity[1], 0, 1e-12) << "the middle, both sides alike";
+}
+
+TEST(Probes, WallsThreeCellsAwayCountWhereNoneIsNearer) {
+  const State<2> state = with_walls();
+  const SurfacePoint<2> point{0, {{0, 0.85e-3}}, {{0, 1}}};
+  EXPECT_TRUE(reading([&](int item, OrderedSums& sums) { probe_surface(state, point, item, sums); }).found);
+  const SurfacePoint<2> lost{0, {{0, 1.2e-3}}, {{0, 1}}};
+  EXPECT_FALSE(reading([&](int item, OrderedSums& sums) { probe_surface(state, lost, item, sums); }).found);
+}
+
+TEST(Probes, PointsReadTheCellThatHoldsThem) {
+  const State<2> state = state_of<2>(case_from(slab));
+  OrderedSums sums;
+  const int inside = sums.item(point_sums<2>), outside = sums.item(point_sums<2>);
+  probe_point(state, 0, {{0.1e-3, -0.4e-3}}, inside, sums);
+  probe_point(state, 0, {{0.1e-3, 1.4e-3}}, outside, sums);
+  sums.reduce(parallel::World{});
+  ASSERT_TRUE(sums.any(inside));
+  EXPECT_FALSE(sums.any(outside));
+  const auto t = sums.total(inside);
+  EXPECT_NEAR(t[0], 1000, 1e-9);
+  EXPECT_NEAR(t[2], 30, 1e-9);
+  EXPECT_NEAR(t[point_sums<2> - 1], 298, 1e-9);
+}
+
+}  // namespace
+}  // namespace recoil

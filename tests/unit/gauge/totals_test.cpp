@@ -1,0 +1,89 @@
+#include "gauge/totals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "../support/small_case.hpp"
+#include "format/run_units.hpp"
+
+namespace recoil {
+namespace {
+
+const char* ring = R"(
+format = 1
+[domain]
+geometry = "axisymmetric"
+r = ["0 mm", "20 mm"]
+z = ["-2 mm", "14 mm"]
+[mesh]
+finest = "0.25 mm"
+[time]
+end = "1 us"
+[body.rod]
+material = "none"
+shape = { kind = "cylinder", radius = "5 mm", z = ["0 mm", "12 mm"] }
+velocity = { z = "-100 m/s" }
+)";
+
+TEST(Totals, OfACylinderWithAxis) {
+  const config::Case c = case_from(ring);
+  const State<2> state = state_of<2>(c);
+  const auto t = find_totals(state, parallel::World{});
+  ASSERT_EQ(t.bodies.size(), 1U);
+  const auto& b = t.bodies[0];
+  const double whole = run_units(c.domain.geometry).whole;
+  const double volume = std::numbers::pi * 5e-3 * 5e-3 * 12e-3;
+  EXPECT_NEAR(whole * b.volume / volume, 1, 1e-9);
+  EXPECT_NEAR(whole * b.mass / (1000 * volume), 1, 1e-9);
+  EXPECT_NEAR(b.momentum[1] / b.mass, -100, 1e-9);
+  EXPECT_EQ(b.momentum[0], 0);
+  EXPECT_NEAR(b.speed, 100 * b.mass, 1e-9 * b.mass);
+  EXPECT_NEAR(b.kinetic, 0.5 * 1e4 * b.mass, 1e-9);
+  EXPECT_NEAR(b.internal(), 0, 1e-9);
+  EXPECT_NEAR(b.place[1] / b.mass, 6e-3, 1e-12);
+  EXPECT_NEAR(b.place[0] / b.mass, 2.0 / 3 * 5e-3, 1e-5) << "mean radius of a disc";
+  EXPECT_NEAR(b.highest[0], 5e-3, 1e-12);
+  EXPECT_NEAR(b.lowest[1], 0, 1e-12);
+  EXPECT_NEAR(b.highest[1], 12e-3, 1e-12);
+  EXPECT_EQ(b.cells, 20 * 48);
+  EXPECT_EQ(b.plastic_strain, 0);
+}
+
+TEST(Totals, DoNotDependOnThreads) {
+  State<2> state = state_of<2>(case_from(ring));
+  for (auto& block : state.bodies[0].blocks)
+    for (std::size_t k = 0; k < block.contents.size(); ++k)
+      block.contents[k] *= 1 + 0.3 * std::sin(static_cast<double>(k * k));
+  const auto one = find_totals(state, parallel::World{});
+  parallel::Team team(3);
+  const auto three = find_totals(state, parallel::World{}, &team);
+  EXPECT_EQ(one.bodies[0].mass, three.bodies[0].mass);
+  EXPECT_EQ(one.bodies[0].kinetic, three.bodies[0].kinetic);
+  EXPECT_EQ(one.bodies[0].energy, three.bodies[0].energy);
+  EXPECT_EQ(one.bodies[0].momentum, three.bodies[0].momentum);
+}
+
+TEST(Totals, LedgersOfAllBlocksCount) {
+  State<2> state = state_of<2>(case_from(ring));
+  state.bodies.resize(2);
+  state.bodies[1].blocks.resize(state.bodies[0].blocks.size());
+  for (std::size_t slot = 0; slot < state.ledger.size(); ++slot) {
+    auto& ledger = state.ledger[slot];
+    ledger.pairs.resize(1);
+    ledger.edges.resize(2);
+    ledger.pairs[0].exchanged = {0, 2, {{1, -3}}};
+    ledger.edges[1].mass = 5;
+  }
+  const double blocks = static_cast<double>(state.ledger.size());
+  ASSERT_GT(blocks, 3);
+  const auto t = find_totals(state, parallel::World{});
+  EXPECT_EQ(t.edges[1].mass, 5 * blocks);
+  EXPECT_EQ(t.edges[0].mass, 0);
+  EXPECT_EQ(received(t, 0).energy, 2 * blocks);
+  EXPECT_EQ(received(t, 1).momentum, (Vec<2>{{-blocks, 3 * blocks}}));
+  EXPECT_TRUE(std::isnan(t.bodies[1].highest[0])) << "a body that is nowhere has no extent";
+}
+
+}  // namespace
+}  // namespace recoil

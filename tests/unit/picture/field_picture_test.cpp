@@ -1,0 +1,146 @@
+#include "picture/field_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "core/error.hpp"
+#include "picture/frame.hpp"
+
+namespace recoil {
+namespace {
+
+bool near(Rgb a, Rgb b) {
+  return std::abs(a.r - b.r) < 6 && std::abs(a.g - b.g) < 6 && std::abs(a.b - b.b) < 6;
+}
+
+int count(const Image& image, Rgb colour) {
+  int n = 0;
+  for (int j = 0; j < image.height; ++j)
+    for (int i = 0; i < image.width; ++i) n += near(image.at(i, j), colour);
+  return n;
+}
+
+/// A disc of matter of radius 3 mm in a field of nx x ny cells of 0.1 mm, its middle at (cx, cy) mm.
+FieldPicture disc(int nx, int ny, double cx, double cy) {
+  FieldPicture p;
+  p.nx = nx, p.ny = ny, p.dx = p.dy = 1e-4;
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      const double phi = std::hypot((i + 0.5) * 0.1 - cx, (j + 0.5) * 0.1 - cy) - 3;
+      p.level_set.push_back(phi);
+      p.values.push_back(phi < 0 ? 1.0 : std::numeric_limits<double>::quiet_NaN());
+    }
+  p.range = {0.0, 2.0};
+  return p;
+}
+
+Rgb middle_colour() {
+  static const Rgb colour = colour_at(colour_table(ColourMap::sequential, 1024), 0.5);
+  return colour;
+}
+
+/// Where the matter is in the picture.
+PixelRect extent(const Image& image) {
+  PixelRect r{1e9, 1e9, -1, -1};
+  for (int j = 0; j < image.height; ++j)
+    for (int i = 0; i < image.width * 3 / 4; ++i)  // without the colour bar
+      if (near(image.at(i, j), middle_colour()))
+        r = {std::min(r.x0, 1.0 * i), std::min(r.y0, 1.0 * j), std::max(r.x1, i + 1.0),
+             std::max(r.y1, j + 1.0)};
+  return r;
+}
+
+TEST(FieldPicture, DiscIsRoundAndTheRestIsVoid) {
+  for (const bool tall : {false, true}) {
+    FieldPicture p = tall ? disc(80, 160, 4, 8) : disc(120, 80, 6, 4);
+    const Image image = field_picture(p);
+    const PixelRect r = extent(image);
+    EXPECT_NEAR((r.x1 - r.x0) / (r.y1 - r.y0), 1, 0.02);
+    EXPECT_GT(count(image, kPictureStyle.void_space), 20000);
+    EXPECT_LE(image.width, p.max_width);
+    EXPECT_LE(image.height, p.max_height);
+  }
+}
+
+TEST(FieldPicture, LevelSetGivesTheAreaBetterThanCells) {
+  FieldPicture p = disc(20, 20, 1, 1);  // 2 mm x 2 mm, then a disc of 0.6 mm: 6 cells across the radius
+  p.values.clear(), p.level_set.clear();
+  for (int j = 0; j < 20; ++j)
+    for (int i = 0; i < 20; ++i) {
+      const double phi = std::hypot((i + 0.5) * 0.1 - 1, (j + 0.5) * 0.1 - 1) - 0.6;
+      p.level_set.push_back(phi);
+      p.values.push_back(phi < 0 ? 1.0 : std::numeric_limits<double>::quiet_NaN());
+    }
+  const Image image = field_picture(p);
+  const PixelRect r = extent(image);
+  int inside = 0;
+  for (int j = static_cast<int>(r.y0); j < static_cast<int>(r.y1); ++j)
+    for (int i = static_cast<int>(r.x0); i < static_cast<int>(r.x1); ++i)
+      inside += near(image.at(i, j), middle_colour());
+  const double radius = 0.5 * (r.x1 - r.x0);
+  EXPECT_NEAR(inside / (radius * radius), 3.1416, 0.05);
+}
+
+TEST(FieldPicture, MirrorShowsBothHalves) {
+  FieldPicture p = disc(80, 80, 0, 4);
+  p.mirror = true;
+  const PixelRect r = extent(field_picture(p));
+  EXPECT_NEAR((r.x1 - r.x0) / (r.y1 - r.y0), 1, 0.02);
+}
+
+TEST(FieldPicture, CellsLieWhereTheyShould) {
+  FieldPicture p;
+  p.nx = p.ny = 2, p.dx = p.dy = 1;
+  p.values = {0, 1, 2, 3};  // lower left, lower right, upper left, upper right
+  const Image image = field_picture(p);
+  const auto table = colour_table(ColourMap::sequential, 1024);
+  const int x0 = 120, x1 = 700, low = image.height - 200, high = 200;
+  EXPECT_TRUE(near(image.at(x0, low), colour_at(table, 0)));
+  EXPECT_TRUE(near(image.at(x1, low), colour_at(table, 1.0 / 3)));
+  EXPECT_TRUE(near(image.at(x0, high), colour_at(table, 2.0 / 3)));
+  EXPECT_TRUE(near(image.at(x1, high), colour_at(table, 1)));
+}
+
+TEST(FieldPicture, ZeroIsPaleInSignedFields) {
+  FieldPicture p;
+  p.nx = 3, p.ny = 1, p.dx = p.dy = 1;
+  p.map = ColourMap::diverging;
+  p.values = {-1, 0, 4};
+  const Image image = field_picture(p);
+  const Rgb pale = colour_at(colour_table(ColourMap::diverging, 1024), 0.5);
+  EXPECT_TRUE(near(image.at(image.width / 2, 150), pale));
+}
+
+TEST(FieldPicture, OutlinesAreDark) {
+  FieldPicture p = disc(80, 80, 4, 4);
+  const Rgb dark{24, 26, 30};
+  const int before = count(field_picture(p), dark);
+  p.outlines = zero_outlines({p.nx, p.ny, p.x0, p.y0, p.dx, p.dy, p.level_set});
+  EXPECT_GT(count(field_picture(p), dark), before + 500);
+}
+
+TEST(FieldPicture, TimeDiagramFillsThePicture) {
+  FieldPicture p;
+  p.nx = 10, p.ny = 1000, p.dx = 1e-3, p.dy = 1e-8;
+  p.values.assign(10000, 1.0);
+  p.equal_aspect = false;
+  p.y_scale = 1e6;
+  const Image image = field_picture(p);
+  EXPECT_NEAR(image.width, p.max_width, 40);
+  EXPECT_NEAR(image.height, p.max_height, 40);
+}
+
+TEST(FieldPicture, EmptyFieldsAndWrongSizes) {
+  FieldPicture p;
+  p.nx = p.ny = 4, p.dx = p.dy = 1;
+  p.values.assign(16, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_GT(count(field_picture(p), kPictureStyle.void_space), 1000);
+  p.values.pop_back();
+  EXPECT_THROW(field_picture(p), InternalError);
+}
+
+}  // namespace
+}  // namespace recoil

@@ -1,0 +1,78 @@
+#include "state/rigid_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace recoil {
+namespace {
+
+/// A body whose distance is that from the plane x = 1: tells how far and which way it has turned.
+RigidMotion<2> plate() {
+  RigidMotion<2> m;
+  m.distance = [](const Vec<2>& x) { return x[0] - 1; };
+  return m;
+}
+
+TEST(RigidMotion, APrescribedBodyKeepsVelocityAndSpin) {
+  RigidMotion<2> m = plate();
+  set_moving(m, {{2, 0}}, {{0, 0, std::numbers::pi / 2}});
+  for (int step = 0; step < 10; ++step) move_rigid(m, 0.1, Vec<2>{{1e6, 0}}, {}, 5.0);
+  EXPECT_NEAR(m.centre[0], 2, 1e-12);
+  const RigidPose<2> now = pose_after(m, 0);
+  // A quarter turn: the plane x = 1 lies at y = 1 above the centre.
+  EXPECT_NEAR(distance_at(m, now, Vec<2>{{7, 0.25}}), -0.75, 1e-12);
+  const Vec<2> u = velocity_at(m, Vec<2>{{2, 3}});
+  EXPECT_NEAR(u[0], 2 - 3 * std::numbers::pi / 2, 1e-12);
+  EXPECT_NEAR(u[1], 0, 1e-12);
+}
+
+TEST(RigidMotion, PoseAheadIsWhereThePrescribedBodyGoes) {
+  RigidMotion<2> m = plate();
+  set_moving(m, {{2, -1}}, {{0, 0, 0.3}});
+  const RigidPose<2> ahead = pose_after(m, 0.5);
+  move_rigid(m, 0.5, {}, {}, 0);
+  EXPECT_NEAR(distance_at(m, ahead, Vec<2>{{0.3, 0.7}}), distance_at(m, pose_after(m, 0), Vec<2>{{0.3, 0.7}}),
+              1e-13);
+}
+
+TEST(RigidMotion, AFreeBodyTakesImpulseAndMoment) {
+  RigidMotion<2> m = plate();
+  set_moving(m, {{1, 0}}, {});
+  set_free(m, 4, Vec<3>{{0, 0, 2}});
+  EXPECT_NEAR(m.mass->energy, 2, 1e-12);
+  const double dt = 1e-6;
+  move_rigid(m, dt, Vec<2>{{0, 8}}, Vec<3>{{0, 0, 6}}, 3.0);
+  EXPECT_NEAR(m.velocity[0], 1, 1e-12);
+  EXPECT_NEAR(m.velocity[1], 2, 1e-12);
+  EXPECT_NEAR(m.spin[2], 3, 1e-4);  // about the centre, which has moved by a micrometre
+  EXPECT_NEAR(m.mass->energy, 5, 1e-12);
+  EXPECT_NEAR(kinetic_energy(m), 0.5 * 4 * 5 + 0.5 * 2 * 9, 1e-3);
+}
+
+TEST(RigidMotion, WithoutInertiaItDoesNotTurn) {
+  RigidMotion<3> m;
+  m.distance = [](const Vec<3>& x) { return x[0]; };
+  set_moving(m, {}, {{1, 2, 3}});
+  set_free(m, 1, Vec<3>{});
+  move_rigid(m, 0.1, {}, Vec<3>{{1, 1, 1}}, 0);
+  EXPECT_EQ(norm(m.spin), 0);
+}
+
+/// A free top with three different moments: angular momentum stays, its energy nearly.
+TEST(RigidMotion, ATopKeepsItsAngularMomentum) {
+  RigidMotion<3> m;
+  m.distance = [](const Vec<3>& x) { return x[0]; };
+  set_moving(m, {}, {{1, 0.1, 3}});
+  set_free(m, 1, Vec<3>{{1, 2, 3}});
+  const double energy = kinetic_energy(m);
+  for (int step = 0; step < 2000; ++step) move_rigid(m, 1e-3, {}, {}, 0);
+  EXPECT_NEAR(kinetic_energy(m), energy, 2e-3 * energy);
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t other = 0; other < 3; ++other)
+      EXPECT_NEAR(dot(m.turn[row], m.turn[other]), row == other ? 1 : 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace recoil
