@@ -6,6 +6,7 @@
 #include "app/load_case.hpp"
 #include "core/error.hpp"
 #include "problem/start.hpp"
+#include "state/fields.hpp"
 #include "timestep/step.hpp"
 
 namespace recoil::bench {
@@ -42,7 +43,7 @@ struct Sample {
   }
 };
 
-/// MovesView that hold matter. A cell that two bodies share counts twice: each of them computes it.
+/// Fragments that hold matter. A cell that two bodies share counts twice: each of them computes it.
 template <int Dim>
 std::int64_t cells_with_matter(const BodyBlock<Dim>& b) {
   return std::count_if(b.volume.begin(), b.volume.end(), [](double v) { return v > 0; });
@@ -63,25 +64,18 @@ struct Memory {
   double cuts = 0;               // mid-step
 };
 
-template <class T>
-double bytes_of(const std::vector<T>& v) {
-  return static_cast<double>(v.size() * sizeof(T));
-}
-
 template <int Dim>
 Memory memory_of(const State<Dim>& state) {
   Memory m;
   for (const Body<Dim>& body : state.bodies)
     for (const BodyBlock<Dim>& b : body.blocks) {
-      for (const auto* a : {&b.contents, &b.contents_old, &b.volume, &b.volume_old, &b.phi, &b.phi_next,
-                            &b.extension_velocity, &b.average})
-        m.arrays += bytes_of(*a);
-      m.arrays += bytes_of(b.role) + bytes_of(b.contact);
-      for (const Geometry<Dim>* g : {&b.geometry, &b.end_geometry}) {
-        m.arrays += bytes_of(g->kind) + bytes_of(g->index);
-        m.lists += bytes_of(g->cuts);
-      }
-      m.lists += bytes_of(b.walls) + bytes_of(b.donors) + bytes_of(b.ghosts);
+      for_each_field<Dim>([&](const auto& d) {
+        for_each_array(b.*d.member, [&](const auto& array) {
+          using T = typename std::remove_cvref_t<decltype(array)>::value_type;
+          const bool list = d.extent == Extent::cuts || std::is_same_v<T, CutCell<Dim>>;
+          (list ? m.lists : m.arrays) += static_cast<double>(array.size() * sizeof(T));
+        });
+      });
       m.cuts += static_cast<double>(b.walls.size());
     }
   return m;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field/components.hpp"
 #include "problem/shape.hpp"
 #include "problem/start.hpp"
+#include "state/fields.hpp"
 
 namespace recoil::app {
 
@@ -46,14 +46,6 @@ double cells_of_domain(const config::Case& c) {
   return n;
 }
 
-/// Bytes of one body in one cell of its blocks: contents and volume twice, averages, distances,
-/// extension velocity, marks.
-template <int Dim>
-double bytes_of_cell() {
-  using C = Components<Dim>;
-  return 8.0 * (2 * C::contents + 2 + C::primitives + 2 + Dim) + 5;
-}
-
 template <int Dim>
 Estimate make_estimate(const config::Case& c, double fastest) {
   Estimate e;
@@ -64,7 +56,7 @@ Estimate make_estimate(const config::Case& c, double fastest) {
   e.step = c.time.fixed_dt ? *c.time.fixed_dt : c.time.cfl * c.mesh.finest / fastest;
   e.steps = std::ceil(c.time.end / e.step);
   // Blocks at a surface are partly empty: half as much again.
-  e.memory = 50e6 + 1.5 * e.material_cells * bytes_of_cell<Dim>();
+  e.memory = 50e6 + 1.5 * e.material_cells * bytes_per_cell<Dim>();
   e.seconds = e.steps * e.material_cells * cell_seconds[Dim - 1];
   return e;
 }

@@ -74,7 +74,7 @@ Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt
   w.gather(
       [&](int s) {
         const auto& blk = b.at(s);
-        return !blk.present ? nullptr : when == PhiAt::midstep ? blk.phi_next.data() : blk.phi.data();
+        return !blk.present ? nullptr : when == PhiAt::midstep ? blk.phi_midstep.data() : blk.phi.data();
       },
       far, Beyond::extend, phi);
   std::uint32_t* contact = nullptr;

@@ -25,7 +25,7 @@ template <int Dim>
 void fill_from_ghost(const Material& material, BodyBlock<Dim>& b, std::size_t k, double volume) {
   using C = Components<Dim>;
   const std::size_t n = b.volume.size();
-  const double *w = b.average.data() + k, rho = w[C::rho * n], mass = rho * volume;
+  const double *w = b.stencil.data() + k, rho = w[C::rho * n], mass = rho * volume;
   double* q = b.contents.data() + k;
   double energy = std::visit(
       [&](const auto& eos) {

@@ -26,7 +26,7 @@ void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double 
     for (int d = 0; d < Dim; ++d)
       if (component_sign<Dim>(static_cast<int>(c), 1U << d) < 0) components[c].odd_axes |= 1U << d;
   }
-  w.window.gather([&](int s) { return body.present(s) ? body.at(s).average.data() : nullptr; }, components,
+  w.window.gather([&](int s) { return body.present(s) ? body.at(s).stencil.data() : nullptr; }, components,
                   Beyond::extend, w.primitive);
   if (body.at(slot).near_surface) {
     w.role = scratch.take<std::uint8_t>(w.wide);

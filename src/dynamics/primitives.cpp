@@ -126,6 +126,8 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
 
 template <int Dim>
 void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
+  BodyBlock<Dim>& b = body.at(slot);
+  if (b.average.empty()) b.average.swap(b.stencil);  // which are over: they share their memory
   std::visit([&](const auto& eos) { average_block(state, eos, body, slot, counters); }, body.material.eos);
 }
 

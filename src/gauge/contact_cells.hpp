@@ -23,7 +23,7 @@ struct ContactCell {
 
 /// Slope of a level set at an own cell from neighbours in the block; one-sided at the block's edges.
 template <int Dim>
-Vec<Dim> slope_in_block(const std::vector<double>& phi, const Box<Dim>& layout, const Index<Dim>& local,
+Vec<Dim> slope_in_block(const FieldArray<double>& phi, const Box<Dim>& layout, const Index<Dim>& local,
                         double dx) {
   Vec<Dim> slope;
   for (int d = 0; d < Dim; ++d) {

@@ -45,7 +45,7 @@ double cells_apart2(const Vec<Dim>& a, const Vec<Dim>& b, double dx) {
 
 /// Gradient of phi in a cell from neighbours in its block; one-sided at the block's edges.
 template <int Dim>
-Vec<Dim> slope_of(const std::vector<double>& phi, const Box<Dim>& cells, const Box<Dim>& layout,
+Vec<Dim> slope_of(const FieldArray<double>& phi, const Box<Dim>& cells, const Box<Dim>& layout,
                   const Index<Dim>& i) {
   Vec<Dim> slope;
   for (int d = 0; d < Dim; ++d) {

@@ -96,7 +96,7 @@ double curvature_at(const Window<Dim>& w, const double* phi, int k, double dx) {
 /// The donors around one surface point. Appends to block.donors; places go to `slope_weight`.
 template <int Dim>
 int collect(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, const std::uint8_t* role,
-            const Vec<Dim>& point, const Reach<Dim>& reach, std::vector<Donor<Dim>>& donors) {
+            const Vec<Dim>& point, const Reach<Dim>& reach, FieldArray<Donor<Dim>>& donors) {
   const Grid<Dim>& grid = state.grid();
   Vec<Dim> at;
   Box<Dim> box;
@@ -131,7 +131,7 @@ int collect(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w
 
 /// From weights and places (kept in slope_weight) to the coefficients of mean and gradient.
 template <int Dim>
-void solve(Wall<Dim>& wall, std::vector<Donor<Dim>>& donors) {
+void solve(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors) {
   double total = 0;
   Vec<Dim> first;
   Matrix<Dim> second{};

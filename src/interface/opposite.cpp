@@ -91,7 +91,7 @@ SurfaceView<Dim> view_surfaces(State<Dim>& state, int slot, PhiAt when, Scratch&
     if (!body.present(slot)) continue;
     v.phi.back() = gather(
         body, far_cells * v.dx(), Beyond::extend, [&](const Block& b) -> const auto& {
-          return when == PhiAt::midstep ? b.phi_next : b.phi;
+          return when == PhiAt::midstep ? b.phi_midstep : b.phi;
         });
     if (body.rigid) continue;
     v.role.back() = gather(

@@ -15,7 +15,7 @@ namespace {
 template <int Dim>
 Primitives<Dim> cell_value(const SurfaceView<Dim>& v, int m, const Index<Dim>& i) {
   const auto from = v.window.source(i);
-  const std::vector<double>& average = v.body(m).at(from.slot).average;
+  const FieldArray<double>& average = v.body(m).at(from.slot).average;
   const std::size_t n = average.size() / Components<Dim>::primitives;
   Primitives<Dim> w;
   for (std::size_t c = 0; c < w.size(); ++c) {

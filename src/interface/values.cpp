@@ -78,7 +78,7 @@ void attach_wall(const State<Dim>& state, const Body<Dim>& body, const Window<Di
 
 template <int Dim>
 void store(BodyBlock<Dim>& b, std::size_t n, int cell, const Primitives<Dim>& w) {
-  for (std::size_t c = 0; c < w.size(); ++c) b.average[c * n + static_cast<std::size_t>(cell)] = w[c];
+  for (std::size_t c = 0; c < w.size(); ++c) b.stencil[c * n + static_cast<std::size_t>(cell)] = w[c];
 }
 
 template <int Dim>
@@ -276,6 +276,7 @@ void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Cells cel
 template <int Dim>
 void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
+  b.stencil.swap(b.average);
   if (!b.near_surface) return;
   const Grid<Dim>& grid = state.grid();
   const Box<Dim> layout = grid.layout();
@@ -288,7 +289,7 @@ void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Cou
     for (int d = 0; d < Dim; ++d) off += std::abs(cut.centroid[d]);
     if ((b.role[k] & regular) == 0 || b.walls[m].donors == 0 || off < 1e-4) continue;
     Primitives<Dim> w{};
-    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.average[c * n + k];
+    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.stencil[c * n + k];
     store(b, n, cut.cell, centred(grid, body.material, cut, b.walls[m], lo + layout.index(cut.cell), w));
   }
   for (const GhostCell<Dim>& ghost : b.ghosts) {

@@ -12,10 +12,10 @@ namespace recoil {
 template <int Dim>
 void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, Scratch& scratch);
 
-/// Turns averages into the values that reconstructions read in this stage (BodyBlock::average, Role::valued),
-/// in place: regular uncut cells keep their average; regular cut cells their average moved from the centroid
-/// to the cell's centre with a limited slope along the normal; ghost cells the state of their wall, continued
-/// along the normal.
+/// Turns averages into the values that reconstructions read in this stage, in the same memory
+/// (BodyBlock::average is empty afterwards, ::stencil holds them; Role::valued says where): regular uncut
+/// cells keep their average; regular cut cells their average moved from the centroid to the cell's centre
+/// with a limited slope along the normal; ghost cells the state of their wall, continued along the normal.
 template <int Dim>
 void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 

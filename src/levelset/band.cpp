@@ -29,7 +29,7 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
       extend(choice.reach, i);
   });
   if (!b.present || body.rigid || choice.near_surface) return choice;
-  // MovesView that the level set has lost stay, and stay cut.
+  // Fragments that the level set has lost stay, and stay cut.
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
   bool any = false, partial = false;
   for_each(cells, [&](const Index<Dim>& i) {

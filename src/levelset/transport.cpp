@@ -166,7 +166,7 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
   const double dx = grid.dx, steepness = 2 / (dx * dx);
   const Window<Dim> w(state.mesh, slot, surface_reach, b.reach);
   double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi_next.data() : nullptr; }, far_cells * dx,
+  w.gather([&](int s) { return body.present(s) ? body.at(s).phi_midstep.data() : nullptr; }, far_cells * dx,
            Beyond::extend, phi);
   const CutsInView cuts = cuts_in_view(
       w, [&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, scratch);
@@ -202,9 +202,10 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
 }
 
 template <int Dim>
-void advect_level_set(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch) {
+void advect_level_set(const State<Dim>& state, Body<Dim>& body, int slot, double dt,
+                      FieldArray<double> BodyBlock<Dim>::*out, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
-  b.phi_next = b.phi;
+  b.*out = b.phi;
   if (!b.near_surface || b.reach.size() == 0 || !moves(b)) return;
   const Grid<Dim>& grid = state.grid();
   const Window<Dim> w(state.mesh, slot, 3, b.reach);
@@ -213,7 +214,7 @@ void advect_level_set(const State<Dim>& state, Body<Dim>& body, int slot, double
            Beyond::extend, phi);
   for_each_advected_row(grid, b, w, phi, scratch,
                         [&](std::size_t cell, int, int count, const double* change) {
-                          double* p = b.phi_next.data() + cell;
+                          double* p = (b.*out).data() + cell;
                           for (int i = 0; i < count; ++i) p[i] -= dt * change[i];
                         });
 }
@@ -278,7 +279,7 @@ void place_rigid(const State<Dim>& state, Body<Dim>& body, int slot, double ahea
   const double far = far_cells * grid.dx;
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
   BodyBlock<Dim>& b = body.at(slot);
-  double* phi = where == PhiAt::midstep ? b.phi_next.data() : b.phi.data();
+  double* phi = where == PhiAt::midstep ? b.phi_midstep.data() : b.phi.data();
   const RigidPose<Dim> pose = pose_after(*body.rigid, ahead);
   for_each(cells, [&](const Index<Dim>& i) {
     phi[layout.at(i - cells.lo)] = std::clamp(distance_at(*body.rigid, pose, grid.centre(i)), -far, far);
@@ -299,7 +300,8 @@ void cut_out_rigid(const State<Dim>& state, Body<Dim>& body, int slot) {
 
 #define RECOIL_INSTANTIATE(Dim)                                                                             \
   template void spread_wall_velocity<Dim>(const State<Dim>&, Body<Dim>&, int, double, Counters&, Scratch&); \
-  template void advect_level_set<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                \
+  template void advect_level_set<Dim>(const State<Dim>&, Body<Dim>&, int, double,                           \
+                                      FieldArray<double> BodyBlock<Dim>::*, Scratch&);                      \
   template void advect_level_set_again<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);          \
   template void follow_volume<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                   \
   template void place_rigid<Dim>(const State<Dim>&, Body<Dim>&, int, double, PhiAt);                        \

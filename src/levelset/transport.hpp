@@ -4,7 +4,7 @@
 
 namespace recoil {
 
-/// Sets the velocity that carries phi (BodyBlock::extension_velocity) from the wall velocities of the cut
+/// Sets the velocity that moves phi (BodyBlock::extension_velocity) from the wall velocities of the cut
 /// cells near the foot point on the mid-step surface, weighted with exp(-2 r^2/dx^2) (|A_I|/dx^(Dim-1) +
 /// 0.02); zero outside the band. A speed above dx/dt is capped and counted.
 template <int Dim>
@@ -12,9 +12,11 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
                           Scratch& scratch);
 
 /// phi_t + u . grad phi = 0 by fifth-order WENO, upwinded per component (Jiang & Peng 2000).
-/// phi_next = phi - dt u . grad phi; reads BodyBlock::phi and ::extension_velocity.
+/// out = phi - dt u . grad phi; reads BodyBlock::phi and ::extension_velocity.
+/// @param out BodyBlock::phi_midstep or ::phi_next.
 template <int Dim>
-void advect_level_set(const State<Dim>& state, Body<Dim>& body, int slot, double dt, Scratch& scratch);
+void advect_level_set(const State<Dim>& state, Body<Dim>& body, int slot, double dt,
+                      FieldArray<double> BodyBlock<Dim>::*out, Scratch& scratch);
 
 /// Second half of Heun's rule: phi = (phi + phi_next - dt u . grad phi_next)/2.
 template <int Dim>
@@ -26,7 +28,7 @@ void advect_level_set_again(const State<Dim>& state, Body<Dim>& body, int slot, 
 template <int Dim>
 void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double rate, Scratch& scratch);
 
-/// phi of a rigid body `ahead` seconds from now, exact; into BodyBlock::phi or ::phi_next.
+/// phi of a rigid body `ahead` seconds from now, exact; into BodyBlock::phi or ::phi_midstep.
 template <int Dim>
 void place_rigid(const State<Dim>& state, Body<Dim>& body, int slot, double ahead, PhiAt where);
 

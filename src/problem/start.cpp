@@ -95,7 +95,7 @@ void place_body(State<Dim>& state, int m, const config::Body& from,
     for_each(cells, [&](const Index<Dim>& i) {
       b.phi[layout.at(i - cells.lo)] = std::clamp(distance(grid.centre(i)), -far, far);
     });
-    b.phi_next = b.phi;
+    b.phi_midstep = b.phi;
     if (!body.rigid) fill_block(grid, cells, from, distance, body.material, b);
   }
 }

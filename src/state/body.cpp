@@ -1,5 +1,9 @@
 #include "state/body.hpp"
 
+#include <type_traits>
+
+#include "state/fields.hpp"
+
 namespace recoil {
 
 Counters& Counters::operator+=(const Counters& b) {
@@ -29,24 +33,22 @@ template <int Dim>
 void enter_block(Body<Dim>& body, int slot, const Grid<Dim>& grid) {
   BodyBlock<Dim>& b = body.at(slot);
   if (b.present) return;
-  const auto n = static_cast<std::size_t>(grid.layout().size());
-  using C = Components<Dim>;
+  const auto cells = static_cast<std::size_t>(grid.layout().size());
   b.present = true;
   b.near_surface = true;
-  b.phi.assign(n, far_cells * grid.dx);
-  b.phi_next = b.phi;
-  b.geometry.kind.assign(n, CellKind::empty);
-  b.geometry.index.assign(n, -1);
-  b.end_geometry = b.geometry;
-  if (body.rigid) return;
-  b.contents.assign(n * C::contents, 0);
-  b.contents_old.assign(n * C::contents, 0);
-  b.volume.assign(n, 0);
-  b.volume_old.assign(n, 0);
-  b.extension_velocity.assign(n * Dim, 0);
-  b.average.assign(n * C::primitives, 0);
-  b.role.assign(n, 0);
-  b.contact.assign(n, 0);
+  for_each_field<Dim>([&](const auto& d) {
+    if (!d.allocated() || (body.rigid && !d.of_rigid)) return;
+    for_each_array(b.*d.member, [&](auto& array) {
+      const auto n = cells * static_cast<std::size_t>(d.components);
+      using T = typename std::remove_cvref_t<decltype(array)>::value_type;
+      if constexpr (std::is_same_v<T, int>)
+        array.raw().assign(n, -1);  // places in a list
+      else if constexpr (std::is_same_v<T, double>)
+        array.raw().assign(n, d.id == Field::phi || d.id == Field::phi_midstep ? far_cells * grid.dx : 0.0);
+      else if constexpr (!std::is_same_v<T, CutCell<Dim>>)
+        array.raw().assign(n, T{});
+    });
+  });
 }
 
 template <int Dim>
@@ -57,10 +59,11 @@ void leave_block(Body<Dim>& body, int slot) {
 template <int Dim>
 void apply_updates(BodyBlock<Dim>& block) {
   const std::size_t n = block.volume.size();
+  double *volume = block.volume.data(), *contents = block.contents.data();
   for (const Update<Dim>& u : block.updates) {
     const auto k = static_cast<std::size_t>(u.cell);
-    block.volume[k] = u.volume;
-    for (std::size_t c = 0; c < u.contents.size(); ++c) block.contents[c * n + k] = u.contents[c];
+    volume[k] = u.volume;
+    for (std::size_t c = 0; c < u.contents.size(); ++c) contents[c * n + k] = u.contents[c];
   }
   block.updates.clear();
 }

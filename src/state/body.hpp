@@ -10,7 +10,7 @@
 
 namespace recoil {
 
-/// What a cell's fragment is good for; fixed for a step.
+/// What a cell's fragment serves as; fixed for a step.
 enum Role : std::uint8_t {
   donates = 1,          // V > 0.3 full: takes part in fits
   regular = 2,          // V >= 0.5 full: its average stands in stencils
@@ -18,29 +18,34 @@ enum Role : std::uint8_t {
   has_bad_contents = 8  // inadmissible
 };
 
-/// One body in one block; arrays over the block's layout, component after component, and compact lists of cut
-/// cells. Empty where the body is not.
+/// One body in one block; fields are empty where the body is not. What is known of each field stands in
+/// state/fields.hpp.
 template <int Dim>
 struct BodyBlock {
   bool present = false;
   bool near_surface = false;  // some cell within the reach of the surface
   Box<Dim> reach{};   // cells with phi < 5.5 dx or with matter: where surfaces and moves may matter in a step
   Box<Dim> matter{};  // cells that the mid-step geometry or V gives to the body; may be empty
-  std::vector<double> contents, contents_old;  // Q [Components::contents]
-  std::vector<double> volume, volume_old;      // V
-  std::vector<double> phi, phi_next;  // signed distance [m], negative inside; phi_next also holds mid-step
-  std::vector<double> extension_velocity;  // velocity that carries phi [Dim]
-  std::vector<double> average;  // primitives of the averages of donors; while fluxes are taken: what
-                                // reconstructions read (fill_stencil_values)
-  std::vector<std::uint8_t> role;
-  std::vector<std::uint32_t> contact;  // bit of every body that the fragment touched in the last step
-  Geometry<Dim> geometry;              // mid-step, with shared surfaces: what the stages use
-  Geometry<Dim> end_geometry;          // after the step: what moves of volume use
-  std::vector<Wall<Dim>> walls;        // one for each of geometry.cuts
-  std::vector<Donor<Dim>> donors;
-  std::vector<GhostCell<Dim>> ghosts;
-  std::vector<Update<Dim>> updates;
-  std::vector<double> contents_sum;  // of the stages of the classical Runge-Kutta rule; empty without it
+
+  FieldArray<double> contents{Field::contents};
+  FieldArray<double> volume{Field::volume};
+  FieldArray<double> phi{Field::phi};
+  FieldArray<double> extension_velocity{Field::extension_velocity};
+  FieldArray<std::uint32_t> contact{Field::contact};
+  FieldArray<double> contents_old{Field::contents_old};
+  FieldArray<double> volume_old{Field::volume_old};
+  FieldArray<double> phi_midstep{Field::phi_midstep};
+  FieldArray<double> phi_next{Field::phi_next};
+  FieldArray<double> average{Field::average};
+  FieldArray<double> stencil{Field::stencil};
+  FieldArray<std::uint8_t> role{Field::role};
+  Geometry<Dim> geometry{Field::geometry};
+  Geometry<Dim> end_geometry{Field::end_geometry};
+  FieldArray<Wall<Dim>> walls{Field::walls};
+  FieldArray<Donor<Dim>> donors{Field::donors};
+  FieldArray<GhostCell<Dim>> ghosts{Field::ghosts};
+  FieldArray<Update<Dim>> updates{Field::updates};
+  FieldArray<double> contents_sum{Field::contents_sum};
 };
 
 template <int Dim>
@@ -117,6 +122,7 @@ struct State {
   double time = 0;                       // s
   long step = 0;
   double travel = 0;  // of surfaces since the last full redistancing [m]
+  FieldSet stale{};   // fields that have changed since this process last got copies of others' blocks
 
   const Grid<Dim>& grid() const { return mesh.grid(); }
   int count() const { return static_cast<int>(bodies.size()); }

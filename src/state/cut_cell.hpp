@@ -1,10 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <vector>
 
 #include "core/vec.hpp"
 #include "field/components.hpp"
+#include "field/field_array.hpp"
 
 namespace recoil {
 
@@ -27,9 +28,12 @@ struct CutCell {
 /// The kinds of all cells of a block, for one body, and the list of those that are cut.
 template <int Dim>
 struct Geometry {
-  std::vector<CellKind> kind;
-  std::vector<int> index;  // place in cuts, or -1
-  std::vector<CutCell<Dim>> cuts;
+  FieldArray<CellKind> kind;
+  FieldArray<int> index;  // place in cuts, or -1
+  FieldArray<CutCell<Dim>> cuts;
+
+  /// @param field geometry or end_geometry: which of the two this is.
+  explicit Geometry(Field field) : kind(field), index(field), cuts(field) {}
 };
 
 /// The state of a surface in one cut cell: the fit through the matter behind it, and what the wall does to

@@ -1,6 +1,6 @@
 #include "timestep/ghost_fluid_step.hpp"
 
-#include "timestep/phases.hpp"
+#include "timestep/whole_cell_phases.hpp"
 
 namespace recoil {
 
@@ -12,30 +12,29 @@ constexpr double closing_rate = 0.05;  // part of a gap or overlap in contact th
 
 template <int Dim>
 double advance_ghost_fluid(State<Dim>& state, const Stepping& stepping, double until, Engine& engine) {
-  Phases<Dim> step{state, engine};
+  StepRun<Dim> step(state, engine);
 
-  const double dt = step.prepare_whole_cells(stepping, until);
+  const double dt = prepare_whole_cells(step, stepping, until);
   for (const Stage& stage : ssp_rk3) {
-    step.find_ghosts(dt, stage.weight);  // contact: touch, slide, separate
-    step.update_whole_cells(FaceScheme::weno_hllc, dt, stage.weight);
-    step.average_inadmissible_states();
-    step.return_to_yield(dt, stage.old_weight);  // then the Runge-Kutta mean
-    step.share(part_matter);
-    step.refresh_averages();
+    find_ghosts(step, dt, stage.weight);  // contact: touch, slide, separate
+    update_whole_cells(step, FaceScheme::weno_hllc, dt, stage.weight);
+    average_inadmissible_states(step);
+    return_to_yield(step, dt, stage.old_weight);  // then the Runge-Kutta mean
+    refresh_averages(step);
   }
-  step.find_ghosts(dt, 0);  // of the new state, for the cells that the surfaces uncover
+  find_ghosts(step, dt, 0);  // of the new state, for the cells that the surfaces uncover
 
   // The level set goes with the walls, almost without redistancing beside the surface.
-  step.move_rigid_bodies(dt);
-  step.advect_surfaces(dt);
-  step.count_lost_contacts();
-  step.remember_contact();
-  step.redistance(dt);
-  step.cut_cells(Surfaces::own, PhiAt::now);
-  step.close_gaps(closing_rate);
-  step.cut_cells(Surfaces::own, PhiAt::now);
-  step.to_cut_cells();
-  step.update_bands();
+  move_rigid_bodies(step, dt);
+  advect_surfaces(step, dt);
+  count_lost_contacts(step);
+  remember_contact(step);
+  redistance(step, dt);
+  cut_cells(step, Surfaces::own, PhiAt::now);
+  close_gaps(step, closing_rate);
+  cut_cells(step, Surfaces::own, PhiAt::now);
+  to_cut_cells(step);
+  update_bands(step);
 
   state.time += dt;
   ++state.step;
@@ -45,9 +44,9 @@ double advance_ghost_fluid(State<Dim>& state, const Stepping& stepping, double u
 template <int Dim>
 void prepare_whole_cell_start(State<Dim>& state, Engine& engine) {
   prepare_start(state, engine);
-  Phases<Dim> start{state, engine};
-  start.cut_cells(Surfaces::own, PhiAt::now);
-  start.to_cut_cells();
+  StepRun<Dim> start(state, engine);
+  cut_cells(start, Surfaces::own, PhiAt::now);
+  to_cut_cells(start);
 }
 
 template double advance_ghost_fluid<1>(State<1>&, const Stepping&, double, Engine&);

@@ -8,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "cutcell/moves.hpp"
-#include "cutcell/redistribution.hpp"
 #include "dynamics/plastic_return.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/fit.hpp"
@@ -22,7 +21,8 @@ namespace recoil {
 
 namespace {
 
-constexpr double follow_rate = 0.02;         // part of the mismatch that phi takes up in a step
+using enum Field;
+
 constexpr double frozen_band = 1.6;          // [dx] phi nearer to the surface is not redistanced every step
 constexpr double travel_to_redistance = 10;  // [dx] that surfaces move between full redistancings
 constexpr double shortest_step = 1e-18;      // s
@@ -34,58 +34,74 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
+template <int Dim>
+void place_rigid_bodies(StepRun<Dim>& step, double ahead, PhiAt where) {
+  State<Dim>& state = step.state();
+  for (Body<Dim>& body : state.bodies)
+    for (int slot = 0; slot < state.mesh.local(); ++slot)
+      if (body.rigid && body.present(slot)) place_rigid(state, body, slot, ahead, where);
+  step.has_changed(where == PhiAt::midstep ? phi_midstep : phi);
+}
+
+/// What a phase has written to phi_next becomes phi.
+template <int Dim>
+void swap_phi(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"swap phi", {}, {}, phi | phi_next};
+  step.for_each_body(StepPhase::level_set, access, [](Body<Dim>& body, int slot, Scratch&) {
+    body.at(slot).phi.swap(body.at(slot).phi_next);
+  });
+}
+
+template <int Dim>
+bool has_inadmissible_states(StepRun<Dim>& step) {
+  bool any = false;
+  for (const int slot : step.blocks())
+    for (const Body<Dim>& body : step.state().bodies)
+      any = any || (!body.rigid && body.present(slot) && has_inadmissible(body.at(slot)));
+  return step.engine().world.any(any);
+}
+
 }  // namespace
 
 template <int Dim>
-Phases<Dim>::Phases(State<Dim>& state, Engine& engine) : state_(state), engine_(engine) {
-  for (int slot = 0; slot < state.mesh.local(); ++slot)
-    for (const Body<Dim>& body : state.bodies)
-      if (!body.rigid && body.present(slot)) {
-        blocks_.push_back(slot);
-        break;
-      }
-}
-
-template <int Dim>
-void Phases<Dim>::share(unsigned parts) {
-  const Timers<StepPhase>::Span span(engine_.timers, StepPhase::exchange);
-  recoil::share(state_, engine_.world, parts);
-}
-
-template <int Dim>
-void Phases<Dim>::average_states() {
-  for_each_body(StepPhase::averages, [&](Body<Dim>& body, int slot, Scratch&) {
-    choose_roles(state_, body, slot, counters(slot));
-    average_primitives(state_, body, slot, counters(slot));
+void average_states(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"average states", {}, contents | volume, role | average | stencil};
+  step.for_each_body(StepPhase::averages, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    choose_roles(step.state(), body, slot, step.counters(slot));
+    average_primitives(step.state(), body, slot, step.counters(slot));
   });
 }
 
 template <int Dim>
-void Phases<Dim>::refresh_averages() {
-  for_each_body(StepPhase::averages, [&](Body<Dim>& body, int slot, Scratch&) {
-    average_primitives(state_, body, slot, counters(slot));
+void refresh_averages(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"refresh averages", {}, contents | volume | role, average | stencil};
+  step.for_each_body(StepPhase::averages, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    average_primitives(step.state(), body, slot, step.counters(slot));
   });
 }
 
 template <int Dim>
-double Phases<Dim>::choose_length(const Stepping& stepping, double until) {
-  std::vector<double> fastest(static_cast<std::size_t>(state_.mesh.local()), 0);
-  for_each_body(StepPhase::averages, [&](Body<Dim>& body, int slot, Scratch&) {
+double choose_length(StepRun<Dim>& step, const Stepping& stepping, double until) {
+  static constexpr FieldAccess access{"choose length", {}, role | average, {}};
+  const State<Dim>& state = step.state();
+  std::vector<double> fastest(static_cast<std::size_t>(state.mesh.local()), 0);
+  step.for_each_body(StepPhase::averages, access, [&](Body<Dim>& body, int slot, Scratch&) {
     double& f = fastest[slot];
-    f = std::max(f, fastest_signal(state_, body, slot, counters(slot)));
+    f = std::max(f, fastest_signal(state, body, slot, step.counters(slot)));
   });
-  const double signal = engine_.world.max(largest(fastest));
-  const double stable = signal > 0 ? stepping.cfl / signal : until - state_.time;
-  const double dt = std::min(stepping.fixed_dt.value_or(stable), until - state_.time);
+  const double signal = step.engine().world.max(largest(fastest));
+  const double stable = signal > 0 ? stepping.cfl / signal : until - state.time;
+  const double dt = std::min(stepping.fixed_dt.value_or(stable), until - state.time);
   if (!(stable > shortest_step))
     throw PhysicsError(
-        fmt::format("the time step collapsed to {:.3g} s at {:.6g} us", stable, state_.time * 1e6));
+        fmt::format("the time step collapsed to {:.3g} s at {:.6g} us", stable, state.time * 1e6));
   return dt;
 }
 
 template <int Dim>
-void Phases<Dim>::keep_old() {
-  for_each_body(StepPhase::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
+void keep_old(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"keep old", {}, contents | volume, contents_old | volume_old};
+  step.for_each_body(StepPhase::plasticity, access, [](Body<Dim>& body, int slot, Scratch&) {
     BodyBlock<Dim>& b = body.at(slot);
     b.contents_old = b.contents;
     b.volume_old = b.volume;
@@ -93,247 +109,200 @@ void Phases<Dim>::keep_old() {
 }
 
 template <int Dim>
-void Phases<Dim>::advect_surfaces_half(double dt) {
-  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    advect_level_set(state_, body, slot, 0.5 * dt, scratch);
+void advect_surfaces_half(StepRun<Dim>& step, double dt) {
+  static constexpr FieldAccess access{"advect surfaces half", phi, extension_velocity,
+                                      phi_midstep | phi_next};
+  step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    BodyBlock<Dim>& b = body.at(slot);
+    if (b.phi_midstep.empty()) b.phi_midstep.swap(b.phi_next);  // which is over: they share their memory
+    advect_level_set(step.state(), body, slot, 0.5 * dt, &BodyBlock<Dim>::phi_midstep, scratch);
   });
-  place_rigid_bodies(0.5 * dt, PhiAt::midstep);
-  share(part_phi_next);
+  place_rigid_bodies(step, 0.5 * dt, PhiAt::midstep);
 }
 
 template <int Dim>
-void Phases<Dim>::cut_cells(Surfaces surfaces, PhiAt when, double ahead) {
-  for_each_slot(StepPhase::geometry, [&](int slot, Scratch& scratch) {
-    find_geometry(state_, slot, surfaces, when, scratch, ahead);
-  });
-  share(when == PhiAt::midstep ? part_geometry : part_end_geometry);
+void cut_cells(StepRun<Dim>& step, Surfaces surfaces, PhiAt when, double ahead) {
+  static constexpr FieldAccess middle{"cut cells", phi_midstep | contact, volume, geometry},
+      end{"cut cells at the end", phi | contact, volume, end_geometry};
+  step.for_each_slot(
+      StepPhase::geometry, when == PhiAt::midstep ? middle : end,
+      [&](int slot, Scratch& scratch) { find_geometry(step.state(), slot, surfaces, when, scratch, ahead); });
 }
 
 template <int Dim>
-void Phases<Dim>::choose_donors_and_ghosts(Cells cells) {
-  share(part_average);
-  for_each_body(StepPhase::fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    choose_donors(state_, body, slot, counters(slot), scratch);
+void choose_donors_and_ghosts(StepRun<Dim>& step, Cells cells) {
+  static constexpr FieldAccess fits{"choose donors", role | geometry | phi | volume, contents,
+                                    donors | walls},
+      beyond{"choose ghosts", role | geometry | walls | phi, {}, ghosts};
+  step.for_each_body(StepPhase::fits, fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    choose_donors(step.state(), body, slot, step.counters(slot), scratch);
   });
-  share(part_geometry);
-  for_each_body(StepPhase::fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    choose_ghosts(state_, body, slot, cells, scratch);
-  });
-}
-
-template <int Dim>
-void Phases<Dim>::find_walls(double dt, double weight) {
-  for_each_slot(StepPhase::walls, [&](int slot, Scratch& scratch) {
-    for (Body<Dim>& body : state_.bodies)
-      if (!body.rigid && body.present(slot)) evaluate_fits(state_, body, slot);
-    recoil::find_walls(state_, slot, dt, weight, scratch);
+  step.for_each_body(StepPhase::fits, beyond, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    choose_ghosts(step.state(), body, slot, cells, scratch);
   });
 }
 
 template <int Dim>
-void Phases<Dim>::fill_values() {
-  for_each_body(StepPhase::values, [&](Body<Dim>& body, int slot, Scratch&) {
-    fill_stencil_values(state_, body, slot, counters(slot));
+void fill_values(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"fill values", walls, ghosts | geometry, average | stencil | role};
+  step.for_each_body(StepPhase::values, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    fill_stencil_values(step.state(), body, slot, step.counters(slot));
   });
 }
 
 template <int Dim>
-void Phases<Dim>::update_matter(double dt, double weight) {
-  for_each_slot(StepPhase::flux, [&](int slot, Scratch& scratch) {
-    for (int m = 0; m < state_.count(); ++m) {
-      Body<Dim>& body = state_.bodies[m];
-      if (body.rigid || !body.present(slot)) continue;
-      const Scratch::Frame frame(scratch);
-      auto& ledger = state_.ledger[slot];
-      update_block(state_, body, slot, dt, weight, ledger.edges[m], ledger.counters, scratch);
-    }
-  });
+void apply_updates(StepRun<Dim>& step, StepPhase part) {
+  static constexpr FieldAccess access{"apply updates", {}, {}, contents | volume | updates};
+  step.for_each_body(part, access, [](Body<Dim>& body, int slot, Scratch&) { apply_updates(body.at(slot)); });
 }
 
 template <int Dim>
-void Phases<Dim>::apply(StepPhase part) {
-  for_each_body(part, [](Body<Dim>& body, int slot, Scratch&) { apply_updates(body.at(slot)); });
-  share(part_matter);
-}
-
-template <int Dim>
-void Phases<Dim>::redistribute_small_fragments() {
-  for_each_body(StepPhase::redistribution, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    redistribute(state_, body, slot, counters(slot), scratch);
-  });
-  apply(StepPhase::redistribution);
-}
-
-template <int Dim>
-void Phases<Dim>::average_inadmissible_states() {
+void average_inadmissible_states(StepRun<Dim>& step) {
+  static constexpr FieldAccess mark{"mark inadmissible states", {}, contents | volume, role},
+      mean{"average inadmissible states", role | contents | volume | end_geometry, {}, updates},
+      clear{"clear marks", {}, {}, role};
+  constexpr auto part = StepPhase::redistribution;
   for (int width = 1; width <= 3; ++width) {
-    for_each_body(StepPhase::redistribution, [&](Body<Dim>& body, int slot, Scratch&) {
-      counters(slot).averaged_states += mark_inadmissible(state_, body, slot);
+    step.for_each_body(part, mark, [&](Body<Dim>& body, int slot, Scratch&) {
+      step.counters(slot).averaged_states += mark_inadmissible(step.state(), body, slot);
     });
-    std::int64_t bad = 0;
-    for (const int slot : blocks_)
-      for (const Body<Dim>& body : state_.bodies)
-        if (!body.rigid && body.present(slot)) bad += has_inadmissible(body.at(slot));
-    if (!engine_.world.any(bad > 0)) return;
-    share(part_average);
-    for_each_body(StepPhase::redistribution, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-      average_inadmissible(state_, body, slot, width, scratch);
+    if (!has_inadmissible_states(step)) return;
+    step.for_each_body(part, mean, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+      average_inadmissible(step.state(), body, slot, width, scratch);
     });
-    apply(StepPhase::redistribution);
+    apply_updates(step, part);
   }
-  for_each_body(StepPhase::redistribution,
-                [&](Body<Dim>& body, int slot, Scratch&) { clear_inadmissible(body.at(slot)); });
+  step.for_each_body(part, clear,
+                     [](Body<Dim>& body, int slot, Scratch&) { clear_inadmissible(body.at(slot)); });
 }
 
 template <int Dim>
-void Phases<Dim>::return_to_yield(double dt, double old_weight) {
-  for_each_body(StepPhase::plasticity, [&](Body<Dim>& body, int slot, Scratch&) {
-    recoil::return_to_yield(state_, body, slot, dt);
-    if (old_weight > 0) combine_with_old(state_, body, slot, old_weight);
+void return_to_yield(StepRun<Dim>& step, double dt, double old_weight) {
+  static constexpr FieldAccess access{"return to yield", {}, contents_old | volume_old, contents | volume};
+  step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    return_to_yield(step.state(), body, slot, dt);
+    if (old_weight > 0) combine_with_old(step.state(), body, slot, old_weight);
   });
 }
 
 template <int Dim>
-void Phases<Dim>::swap_phi() {
-  for (const int slot : blocks_)
-    for (Body<Dim>& body : state_.bodies)
-      if (!body.rigid && body.present(slot)) std::swap(body.at(slot).phi, body.at(slot).phi_next);
-  share(part_phi);
-}
-
-template <int Dim>
-void Phases<Dim>::advect_surfaces(double dt) {
-  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    spread_wall_velocity(state_, body, slot, dt, counters(slot), scratch);
+void advect_surfaces(StepRun<Dim>& step, double dt) {
+  static constexpr FieldAccess spread{"spread wall velocity", phi_midstep | geometry | walls, role | average,
+                                      extension_velocity},
+      first{"advect surfaces", phi, extension_velocity, phi_midstep | phi_next},
+      again{"advect surfaces again", phi_next, extension_velocity, phi};
+  const State<Dim>& state = step.state();
+  step.for_each_body(StepPhase::level_set, spread, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    spread_wall_velocity(state, body, slot, dt, step.counters(slot), scratch);
   });
-  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    advect_level_set(state_, body, slot, dt, scratch);
+  step.for_each_body(StepPhase::level_set, first, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    body.at(slot).phi_next.swap(body.at(slot).phi_midstep);
+    advect_level_set(state, body, slot, dt, &BodyBlock<Dim>::phi_next, scratch);
   });
-  share(part_phi_next);
-  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    advect_level_set_again(state_, body, slot, dt, scratch);
+  step.for_each_body(StepPhase::level_set, again, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    advect_level_set_again(state, body, slot, dt, scratch);
   });
-  place_rigid_bodies(0, PhiAt::now);
-  share(part_phi);
+  place_rigid_bodies(step, 0, PhiAt::now);
 }
 
 template <int Dim>
-void Phases<Dim>::cut_out_rigid_bodies() {
-  const auto rigid = [](const Body<Dim>& body) { return body.rigid.has_value(); };
-  if (std::none_of(state_.bodies.begin(), state_.bodies.end(), rigid)) return;
-  for_each_body(StepPhase::level_set,
-                [&](Body<Dim>& body, int slot, Scratch&) { cut_out_rigid(state_, body, slot); });
-  share(part_phi);
+void move_rigid_bodies(StepRun<Dim>& step, double dt) {
+  const Timers<StepPhase>::Span span(step.engine().timers, StepPhase::walls);
+  move_rigid_bodies(step.state(), step.engine().world, dt);
 }
 
 template <int Dim>
-void Phases<Dim>::place_rigid_bodies(double ahead, PhiAt where) {
-  for (Body<Dim>& body : state_.bodies)
-    for (int slot = 0; slot < state_.mesh.local(); ++slot)
-      if (body.rigid && body.present(slot)) place_rigid(state_, body, slot, ahead, where);
+void remember_contact(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"remember contact", {}, geometry | walls, contact};
+  step.for_each_body(StepPhase::walls, access,
+                     [](Body<Dim>& body, int slot, Scratch&) { remember_contact(body.at(slot)); });
 }
 
 template <int Dim>
-void Phases<Dim>::move_rigid_bodies(double dt) {
-  const Timers<StepPhase>::Span span(engine_.timers, StepPhase::walls);
-  recoil::move_rigid_bodies(state_, engine_.world, dt);
-}
-
-template <int Dim>
-void Phases<Dim>::remember_contact() {
-  for_each_body(StepPhase::walls,
-                [](Body<Dim>& body, int slot, Scratch&) { recoil::remember_contact(body.at(slot)); });
-  share(part_contact);
-}
-
-template <int Dim>
-void Phases<Dim>::redistance(double dt) {
-  std::vector<double> fastest(static_cast<std::size_t>(state_.mesh.local()), 0);
-  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch&) {
+void redistance(StepRun<Dim>& step, double dt) {
+  static constexpr FieldAccess access{"surface speed", {}, walls, {}};
+  State<Dim>& state = step.state();
+  std::vector<double> fastest(static_cast<std::size_t>(state.mesh.local()), 0);
+  step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch&) {
     for (const Wall<Dim>& w : body.at(slot).walls)
       fastest[slot] = std::max(fastest[slot], norm(w.mean_velocity));
   });
-  state_.travel += dt * engine_.world.max(largest(fastest));
-  const bool all = state_.travel > travel_to_redistance * state_.grid().dx;
-  if (all) state_.travel = 0;
-  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  state.travel += dt * step.engine().world.max(largest(fastest));
+  const bool all = state.travel > travel_to_redistance * step.grid().dx;
+  if (all) state.travel = 0;
+  redistance_band(step, all ? 4 : 2, all ? -1 : frozen_band);
+}
+
+template <int Dim>
+void redistance_band(StepRun<Dim>& step, int sweeps, double frozen) {
+  static constexpr FieldAccess access{"redistance", phi, {}, phi_next};
+  step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     if (body.at(slot).near_surface)
-      recoil::redistance(state_, body, slot, all ? 4 : 2, all ? -1 : frozen_band, scratch);
+      redistance(step.state(), body, slot, sweeps, frozen, scratch);
     else
       body.at(slot).phi_next = body.at(slot).phi;
   });
-  swap_phi();
+  swap_phi(step);
 }
 
 template <int Dim>
-void Phases<Dim>::exchange_along_surfaces() {
-  if (Dim == 1) return;
-  for_each_body(StepPhase::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    exchange_along_surface(state_, body, slot, scratch);
+void follow_mismatch(StepRun<Dim>& step, double rate) {
+  static constexpr FieldAccess access{"follow mismatch", phi | end_geometry, {}, phi_next};
+  step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    follow_volume(step.state(), body, slot, rate, scratch);
   });
-  apply(StepPhase::moves);
+  swap_phi(step);
 }
 
 template <int Dim>
-void Phases<Dim>::follow_volumes() {
-  for_each_body(StepPhase::level_set,
-                [&](Body<Dim>& body, int slot, Scratch&) { measure_mismatch(state_, body, slot); });
-  follow_mismatch(follow_rate);
+void update_bands(StepRun<Dim>& step) {
+  State<Dim>& state = step.state();
+  step.update_copies(phi);
+  {
+    const Timers<StepPhase>::Span span(step.engine().timers, StepPhase::band);
+    std::vector<int> all(static_cast<std::size_t>(state.mesh.local()));
+    std::iota(all.begin(), all.end(), 0);
+    const auto bodies = static_cast<std::size_t>(state.count());
+    std::vector<BandChoice<Dim>> choice(all.size() * bodies);
+    parallel::for_each_block(step.engine().team, all, [&](int slot, Scratch& scratch) {
+      for (std::size_t m = 0; m < bodies; ++m)
+        choice[slot * bodies + m] = choose_band(state, state.bodies[m], slot, scratch);
+    });
+    for (const int slot : all)
+      for (std::size_t m = 0; m < bodies; ++m) {
+        Body<Dim>& body = state.bodies[m];
+        const bool entered = !body.present(slot);
+        apply_band(state, body, slot, choice[slot * bodies + m]);
+        if (entered && body.rigid && body.present(slot)) place_rigid(state, body, slot, 0, PhiAt::now);
+      }
+    step.has_changed(FieldSet::all());
+  }
+  step.exchange(
+      fields_where<Dim>([](const auto& d) { return d.lifetime == Lifetime::run && d.in_field_files; }));
 }
 
-template <int Dim>
-void Phases<Dim>::follow_mismatch(double rate) {
-  share(part_end_geometry);
-  for_each_body(StepPhase::level_set, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    follow_volume(state_, body, slot, rate, scratch);
-  });
-  swap_phi();
-}
-
-template <int Dim>
-void Phases<Dim>::empty_and_fill() {
-  for_each_body(StepPhase::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    empty_outside(state_, body, slot, scratch);
-  });
-  apply(StepPhase::moves);
-  for_each_body(StepPhase::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    fill_inside(state_, body, slot, scratch);
-  });
-  apply(StepPhase::moves);
-}
-
-template <int Dim>
-void Phases<Dim>::bound_volumes() {
-  for_each_body(StepPhase::moves, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    recoil::bound_volumes(state_, body, slot, counters(slot), scratch);
-  });
-  apply(StepPhase::moves);
-}
-
-template <int Dim>
-void Phases<Dim>::update_bands() {
-  const Timers<StepPhase>::Span span(engine_.timers, StepPhase::band);
-  std::vector<int> all(static_cast<std::size_t>(state_.mesh.local()));
-  std::iota(all.begin(), all.end(), 0);
-  const auto bodies = static_cast<std::size_t>(state_.count());
-  std::vector<BandChoice<Dim>> choice(all.size() * bodies);
-  parallel::for_each_block(engine_.team, all, [&](int slot, Scratch& scratch) {
-    for (std::size_t m = 0; m < bodies; ++m)
-      choice[static_cast<std::size_t>(slot) * bodies + m] =
-          choose_band(state_, state_.bodies[m], slot, scratch);
-  });
-  for (const int slot : all)
-    for (std::size_t m = 0; m < bodies; ++m) {
-      Body<Dim>& body = state_.bodies[m];
-      const bool entered = !body.present(slot);
-      apply_band(state_, body, slot, choice[static_cast<std::size_t>(slot) * bodies + m]);
-      if (entered && body.rigid && body.present(slot)) place_rigid(state_, body, slot, 0, PhiAt::now);
-    }
-  recoil::share(state_, engine_.world, part_phi | part_matter | part_contact);
-}
-
-template class Phases<1>;
-template class Phases<2>;
-template class Phases<3>;
+#define RECOIL_INSTANTIATE(Dim)                                               \
+  template void average_states<Dim>(StepRun<Dim>&);                           \
+  template void refresh_averages<Dim>(StepRun<Dim>&);                         \
+  template double choose_length<Dim>(StepRun<Dim>&, const Stepping&, double); \
+  template void keep_old<Dim>(StepRun<Dim>&);                                 \
+  template void advect_surfaces_half<Dim>(StepRun<Dim>&, double);             \
+  template void cut_cells<Dim>(StepRun<Dim>&, Surfaces, PhiAt, double);       \
+  template void choose_donors_and_ghosts<Dim>(StepRun<Dim>&, Cells);          \
+  template void fill_values<Dim>(StepRun<Dim>&);                              \
+  template void apply_updates<Dim>(StepRun<Dim>&, StepPhase);                 \
+  template void average_inadmissible_states<Dim>(StepRun<Dim>&);              \
+  template void return_to_yield<Dim>(StepRun<Dim>&, double, double);          \
+  template void advect_surfaces<Dim>(StepRun<Dim>&, double);                  \
+  template void move_rigid_bodies<Dim>(StepRun<Dim>&, double);                \
+  template void remember_contact<Dim>(StepRun<Dim>&);                         \
+  template void redistance<Dim>(StepRun<Dim>&, double);                       \
+  template void redistance_band<Dim>(StepRun<Dim>&, int, double);             \
+  template void follow_mismatch<Dim>(StepRun<Dim>&, double);                  \
+  template void update_bands<Dim>(StepRun<Dim>&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
 
 }  // namespace recoil

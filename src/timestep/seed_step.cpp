@@ -1,6 +1,6 @@
 #include "timestep/seed_step.hpp"
 
-#include "timestep/phases.hpp"
+#include "timestep/whole_cell_phases.hpp"
 
 namespace recoil {
 
@@ -12,29 +12,28 @@ constexpr int redistancing_sweeps = 2;  // of the whole band, every step
 
 template <int Dim>
 double advance_seed(State<Dim>& state, const Stepping& stepping, double until, Engine& engine) {
-  Phases<Dim> step{state, engine};
+  StepRun<Dim> step(state, engine);
 
-  const double dt = step.prepare_whole_cells(stepping, until);
+  const double dt = prepare_whole_cells(step, stepping, until);
   for (const ClassicStage& stage : rk4) {
     const bool last = &stage == &rk4.back();
-    step.find_seed_ghosts(stepping.kappa, dt, stage.weight);  // contact or void, by the traction
-    step.update_classic(FaceScheme::eno_llf, stage, last, dt);
-    step.average_inadmissible_states();
-    step.return_to_yield(stage.length * dt, 0);
-    step.share(part_matter);
-    step.refresh_averages();
+    find_seed_ghosts(step, stepping.kappa, dt, stage.weight);  // contact or void, by the traction
+    update_classic(step, FaceScheme::eno_llf, stage, last, dt);
+    average_inadmissible_states(step);
+    return_to_yield(step, stage.length * dt, 0);
+    refresh_averages(step);
   }
-  step.find_seed_ghosts(stepping.kappa, dt, 0);  // of the new state, for the cells that the surfaces uncover
+  find_seed_ghosts(step, stepping.kappa, dt, 0);  // of the new state, for the cells that the surfaces uncover
 
   // The level set goes with the walls and is redistanced everywhere.
-  step.move_rigid_bodies(dt);
-  step.advect_surfaces(dt);
-  step.count_lost_contacts();
-  step.remember_contact();
-  step.redistance_all(redistancing_sweeps);
-  step.cut_cells(Surfaces::own, PhiAt::now);
-  step.to_cut_cells();
-  step.update_bands();
+  move_rigid_bodies(step, dt);
+  advect_surfaces(step, dt);
+  count_lost_contacts(step);
+  remember_contact(step);
+  redistance_band(step, redistancing_sweeps, -1);
+  cut_cells(step, Surfaces::own, PhiAt::now);
+  to_cut_cells(step);
+  update_bands(step);
 
   state.time += dt;
   ++state.step;

@@ -2,51 +2,46 @@
 
 #include <algorithm>
 
-#include "timestep/phases.hpp"
+#include "timestep/conservative_phases.hpp"
 
 namespace recoil {
 
 template <int Dim>
 double advance(State<Dim>& state, const Stepping& stepping, double until, Engine& engine) {
-  Phases<Dim> step{state, engine};
+  StepRun<Dim> step(state, engine);
 
   // The start of the step: averages, the stable step, and the geometry half a step on.
-  step.average_states();
-  const double dt = step.choose_length(stepping, until);
-  step.keep_old();
-  step.advect_surfaces_half(dt);
-  step.cut_cells(Surfaces::shared, PhiAt::midstep, 0.5 * dt);
-  step.choose_donors_and_ghosts();
+  average_states(step);
+  const double dt = choose_length(step, stepping, until);
+  keep_old(step);
+  advect_surfaces_half(step, dt);
+  cut_cells(step, Surfaces::shared, PhiAt::midstep, 0.5 * dt);
+  choose_donors_and_ghosts(step);
 
   for (const Stage& stage : ssp_rk3) {
-    step.share(part_average);
-    step.find_walls(dt, stage.weight);  // contact: touch, slide, separate
-    step.share(part_geometry);
-    step.fill_values();  // ghosts speak for the walls
-    step.share(part_average);
-    step.update_matter(dt, stage.weight);  // Q += dt R, V += dt R_V
-    step.share(part_matter);
-    step.redistribute_small_fragments();
-    step.average_inadmissible_states();
-    step.return_to_yield(dt, stage.old_weight);  // then the Runge-Kutta mean
-    step.share(part_matter);
-    step.refresh_averages();
+    find_walls(step, dt, stage.weight);     // contact: touch, slide, separate
+    fill_values(step);                      // ghosts speak for the walls
+    update_matter(step, dt, stage.weight);  // Q += dt R, V += dt R_V
+    redistribute_small_fragments(step);
+    average_inadmissible_states(step);
+    return_to_yield(step, dt, stage.old_weight);  // then the Runge-Kutta mean
+    refresh_averages(step);
   }
 
   // The level set goes with the walls, then follows the volumes; volume moves only with its contents.
-  step.move_rigid_bodies(dt);
-  step.advect_surfaces(dt);
-  step.remember_contact();
-  step.redistance(dt);
-  step.cut_out_rigid_bodies();
-  step.cut_cells(Surfaces::own, PhiAt::now);
-  step.exchange_along_surfaces();
-  step.follow_volumes();
-  step.cut_cells(Surfaces::shared, PhiAt::now);
-  step.empty_and_fill();
-  step.bound_volumes();
-  step.average_inadmissible_states();
-  step.update_bands();
+  move_rigid_bodies(step, dt);
+  advect_surfaces(step, dt);
+  remember_contact(step);
+  redistance(step, dt);
+  cut_out_rigid_bodies(step);
+  cut_cells(step, Surfaces::own, PhiAt::now);
+  exchange_along_surfaces(step);
+  follow_volumes(step);
+  cut_cells(step, Surfaces::shared, PhiAt::now);
+  empty_and_fill(step);
+  bound_volumes(step);
+  average_inadmissible_states(step);
+  update_bands(step);
 
   state.time += dt;
   ++state.step;
@@ -55,9 +50,9 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
 
 template <int Dim>
 void prepare_start(State<Dim>& state, Engine& engine) {
-  Phases<Dim> start{state, engine};
-  start.share(part_phi | part_matter | part_contact);
-  start.update_bands();
+  StepRun<Dim> start(state, engine);
+  start.exchange(run_fields<Dim>());
+  update_bands(start);
 }
 
 const char* name_of(StepPhase part) {

@@ -52,6 +52,7 @@ State<Dim> make_test_state(const Grid<Dim>& grid, const std::vector<Distance<Dim
         const auto k = static_cast<std::size_t>(grid.layout().at(i - state.mesh.block(s).cells.lo));
         body.at(s).phi[k] = std::clamp(shape(grid.centre(i)), -far, far);
       });
+      body.at(s).phi_midstep = body.at(s).phi;
       body.at(s).phi_next = body.at(s).phi;
     }
     state.bodies.push_back(std::move(body));

@@ -276,7 +276,7 @@ TYPED_TEST(Geometries, NormalsOfRigidBodies) {
   EXPECT_NEAR(rigid_normal(mirrored, round, pose_after(round, 0), pole)[dim - 1], 1, 1e-12);
 }
 
-/// MovesView of a cone r < a + b z: exact by Pappus's rule, whatever the tilt of its mantle.
+/// Fragments of a cone r < a + b z: exact by Pappus's rule, whatever the tilt of its mantle.
 TEST(AxisymmetricGeometry, AConeHasItsVolumeAndItsSurfacesClose) {
   const auto grid = make_axisymmetric_grid(24, 24, 12);
   const double slope = 0.37, at_origin = 1.6;

@@ -70,9 +70,10 @@ TYPED_TEST(WholeCells, PiecesComeBackWithGhostsInWhatWasNotReal) {
   a.for_each_block([&](int s, BodyBlock<Dim>& b) {
     to_whole_cells(a.state, a.state.bodies[0], s, a.counters);
     const std::size_t n = b.volume.size();
+    b.stencil.swap(b.average);
     for (std::size_t k = 0; k < n; ++k) {
       b.role[k] = valued;
-      for (std::size_t c = 0; c < a.primitives.size(); ++c) b.average[c * n + k] = a.primitives[c];
+      for (std::size_t c = 0; c < a.primitives.size(); ++c) b.stencil[c * n + k] = a.primitives[c];
     }
     to_cut_cells(a.state, a.state.bodies[0], s, a.counters);
     const BodyBlock<Dim>& was = before.state.bodies[0].at(s);

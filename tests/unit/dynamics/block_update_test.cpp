@@ -32,7 +32,10 @@ struct Bulk {
   /// One Euler substage of all blocks.
   void update(double dt) {
     Scratch scratch;
-    for (int s = 0; s < state.mesh.local(); ++s) average_primitives(state, state.bodies[0], s, counters);
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      average_primitives(state, state.bodies[0], s, counters);
+      state.bodies[0].at(s).stencil.swap(state.bodies[0].at(s).average);  // no surface: they are the same
+    }
     for (int s = 0; s < state.mesh.local(); ++s) {
       const Scratch::Frame frame(scratch);
       update_block(state, state.bodies[0], s, dt, 1, edges[s], counters, scratch);
@@ -42,7 +45,7 @@ struct Bulk {
   template <class F>
   void rates(double dt, int away, F&& f) {
     std::vector<std::vector<double>> before;
-    for (const auto& b : state.bodies[0].blocks) before.push_back(b.contents);
+    for (const auto& b : state.bodies[0].blocks) before.push_back(b.contents.raw());
     update(dt);
     const Box<Dim> inner = state.grid().domain().grown(-away);
     for (int s = 0; s < state.mesh.local(); ++s) {

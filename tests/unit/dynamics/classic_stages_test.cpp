@@ -10,7 +10,7 @@ namespace {
 /// dQ/dt = -Q by the rule, for one block of a single number.
 double decay(double length, int steps) {
   BodyBlock<1> b;
-  b.contents = {1};
+  b.contents.assign(1, 1.0);
   const double dt = length / steps;
   for (int n = 0; n < steps; ++n) {
     b.contents_old = b.contents;

@@ -41,7 +41,7 @@ struct Values : testing::Test {
   bool inside(const Index<dim>& i) const { return grid.domain().grown(-4).contains(i); }
   static Primitives<dim> stencil_of(const BodyBlock<dim>& b, std::size_t k) {
     Primitives<dim> w{};
-    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.average[c * b.volume.size() + k];
+    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.stencil[c * b.volume.size() + k];
     return w;
   }
 };
@@ -184,7 +184,7 @@ TYPED_TEST(Values, AveragesOfCutCellsMoveToTheirCentres) {
     if (!this->inside(i) || b.geometry.index[k] < 0 || (b.role[k] & regular) == 0) return;
     const auto& cut = b.geometry.cuts[b.geometry.index[k]];
     const double average = pressure(this->grid.centre(i) + this->grid.dx * cut.centroid),
-                 value = b.average[C::p * b.volume.size() + k];
+                 value = b.stencil[C::p * b.volume.size() + k];
     moved += std::abs(value - average) > 0.01 * slope;
     ASSERT_NEAR(value, pressure(this->grid.centre(i)), 0.12 * slope);
   });

@@ -1,4 +1,4 @@
-#include "state/share.hpp"
+#include "state/exchange_fields.hpp"
 
 #include "field/exchange.hpp"
 
@@ -18,35 +18,19 @@ void take(parallel::Unpacker& from, std::vector<T>& v) {
   from.read(v.data(), v.size());
 }
 
-/// Calls f(vector) for every array of the parts, in one order for sender and receiver.
+/// Calls f(vector) for every array of the fields that the body has, in one order for sender and receiver.
 template <int Dim, class F>
-void for_each_array(BodyBlock<Dim>& b, bool rigid, unsigned parts, F&& f) {
-  if (parts & part_phi) f(b.phi);
-  if (parts & part_phi_next) f(b.phi_next);
-  const auto geometry = [&](Geometry<Dim>& g) {
-    f(g.kind);
-    f(g.index);
-    f(g.cuts);
-  };
-  if (parts & part_geometry) geometry(b.geometry);
-  if (parts & part_end_geometry) geometry(b.end_geometry);
-  if (rigid) return;
-  if (parts & part_geometry) f(b.walls);
-  if (parts & part_matter) {
-    f(b.contents);
-    f(b.volume);
-  }
-  if (parts & part_average) {
-    f(b.average);
-    f(b.role);
-  }
-  if (parts & part_contact) f(b.contact);
+void for_each_vector(BodyBlock<Dim>& b, bool rigid, FieldSet fields, F&& f) {
+  for_each_field<Dim>([&](const auto& declaration) {
+    if (!fields.has(declaration.id) || (rigid && !declaration.of_rigid)) return;
+    for_each_array(b.*declaration.member, [&](auto& array) { f(array.raw()); });
+  });
 }
 
 }  // namespace
 
 template <int Dim>
-void share(State<Dim>& state, const parallel::World& world, unsigned parts) {
+void exchange_fields(State<Dim>& state, const parallel::World& world, FieldSet fields) {
   exchange(
       state.mesh, world,
       [&](int slot, parallel::Bytes& bytes) {
@@ -54,7 +38,7 @@ void share(State<Dim>& state, const parallel::World& world, unsigned parts) {
           BodyBlock<Dim>& b = body.at(slot);
           parallel::pack(bytes, static_cast<char>((b.present ? 1 : 0) | (b.near_surface ? 2 : 0)));
           if (b.present)
-            for_each_array(b, body.rigid.has_value(), parts, [&](const auto& v) { put(bytes, v); });
+            for_each_vector(b, body.rigid.has_value(), fields, [&](const auto& v) { put(bytes, v); });
         }
       },
       [&](int slot, parallel::Unpacker& from) {
@@ -67,13 +51,13 @@ void share(State<Dim>& state, const parallel::World& world, unsigned parts) {
           enter_block(body, slot, state.grid());
           BodyBlock<Dim>& b = body.at(slot);
           b.near_surface = (flags & 2) != 0;
-          for_each_array(b, body.rigid.has_value(), parts, [&](auto& v) { take(from, v); });
+          for_each_vector(b, body.rigid.has_value(), fields, [&](auto& v) { take(from, v); });
         }
       });
 }
 
-template void share<1>(State<1>&, const parallel::World&, unsigned);
-template void share<2>(State<2>&, const parallel::World&, unsigned);
-template void share<3>(State<3>&, const parallel::World&, unsigned);
+template void exchange_fields<1>(State<1>&, const parallel::World&, FieldSet);
+template void exchange_fields<2>(State<2>&, const parallel::World&, FieldSet);
+template void exchange_fields<3>(State<3>&, const parallel::World&, FieldSet);
 
 }  // namespace recoil

@@ -1,0 +1,125 @@
+#include "timestep/conservative_phases.hpp"
+
+#include <algorithm>
+
+#include "cutcell/moves.hpp"
+#include "cutcell/redistribution.hpp"
+#include "dynamics/block_update.hpp"
+#include "interface/fit.hpp"
+#include "interface/walls.hpp"
+#include "levelset/transport.hpp"
+
+namespace recoil {
+
+namespace {
+
+using enum Field;
+
+constexpr double follow_rate = 0.02;  // part of the mismatch that phi takes up in a step
+
+}  // namespace
+
+template <int Dim>
+void find_walls(StepRun<Dim>& step, double dt, double weight) {
+  static constexpr FieldAccess access{"find walls", average | phi | contact,
+                                      geometry | donors | contents | volume, walls};
+  State<Dim>& state = step.state();
+  step.for_each_slot(StepPhase::walls, access, [&](int slot, Scratch& scratch) {
+    for (Body<Dim>& body : state.bodies)
+      if (!body.rigid && body.present(slot)) evaluate_fits(state, body, slot);
+    find_walls(state, slot, dt, weight, scratch);
+  });
+}
+
+template <int Dim>
+void update_matter(StepRun<Dim>& step, double dt, double weight) {
+  static constexpr FieldAccess access{"update matter", stencil | role, geometry | walls, contents | volume};
+  State<Dim>& state = step.state();
+  step.for_each_slot(StepPhase::flux, access, [&](int slot, Scratch& scratch) {
+    for (int m = 0; m < state.count(); ++m) {
+      Body<Dim>& body = state.bodies[m];
+      if (body.rigid || !body.present(slot)) continue;
+      const Scratch::Frame frame(scratch);
+      auto& ledger = state.ledger[slot];
+      update_block(state, body, slot, dt, weight, ledger.edges[m], ledger.counters, scratch);
+    }
+  });
+}
+
+template <int Dim>
+void redistribute_small_fragments(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"redistribute", contents | volume | geometry | phi, {}, updates};
+  step.for_each_body(StepPhase::redistribution, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    redistribute(step.state(), body, slot, step.counters(slot), scratch);
+  });
+  apply_updates(step, StepPhase::redistribution);
+}
+
+template <int Dim>
+void cut_out_rigid_bodies(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"cut out rigid bodies", {}, {}, phi};
+  const auto& bodies = step.state().bodies;
+  if (std::none_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.rigid.has_value(); }))
+    return;
+  step.for_each_body(StepPhase::level_set, access,
+                     [&](Body<Dim>& body, int slot, Scratch&) { cut_out_rigid(step.state(), body, slot); });
+}
+
+template <int Dim>
+void exchange_along_surfaces(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{
+      "exchange along surfaces", contents | volume | end_geometry, {}, updates};
+  if (Dim == 1) return;
+  step.for_each_body(StepPhase::moves, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    exchange_along_surface(step.state(), body, slot, scratch);
+  });
+  apply_updates(step, StepPhase::moves);
+}
+
+template <int Dim>
+void follow_volumes(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"measure mismatch", {}, volume, end_geometry};
+  step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    measure_mismatch(step.state(), body, slot);
+  });
+  follow_mismatch(step, follow_rate);
+}
+
+template <int Dim>
+void empty_and_fill(StepRun<Dim>& step) {
+  static constexpr FieldAccess empty{"empty outside", contents | volume | end_geometry | phi, {}, updates},
+      fill{"fill inside", contents | volume | end_geometry | phi, {}, updates};
+  step.for_each_body(StepPhase::moves, empty, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    empty_outside(step.state(), body, slot, scratch);
+  });
+  apply_updates(step, StepPhase::moves);
+  step.for_each_body(StepPhase::moves, fill, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    fill_inside(step.state(), body, slot, scratch);
+  });
+  apply_updates(step, StepPhase::moves);
+}
+
+template <int Dim>
+void bound_volumes(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"bound volumes", contents | volume | end_geometry, {}, updates};
+  step.for_each_body(StepPhase::moves, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    bound_volumes(step.state(), body, slot, step.counters(slot), scratch);
+  });
+  apply_updates(step, StepPhase::moves);
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                    \
+  template void find_walls<Dim>(StepRun<Dim>&, double, double);    \
+  template void update_matter<Dim>(StepRun<Dim>&, double, double); \
+  template void redistribute_small_fragments<Dim>(StepRun<Dim>&);  \
+  template void cut_out_rigid_bodies<Dim>(StepRun<Dim>&);          \
+  template void exchange_along_surfaces<Dim>(StepRun<Dim>&);       \
+  template void follow_volumes<Dim>(StepRun<Dim>&);                \
+  template void empty_and_fill<Dim>(StepRun<Dim>&);                \
+  template void bound_volumes<Dim>(StepRun<Dim>&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

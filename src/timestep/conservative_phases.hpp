@@ -1,0 +1,28 @@
+#pragma once
+
+#include "timestep/phases.hpp"
+
+/// Phases of the conservative scheme only.
+namespace recoil {
+
+/// Fits, contacts and walls of a stage. @param weight of the stage in the whole step.
+template <int Dim>
+void find_walls(StepRun<Dim>& step, double dt, double weight);
+/// Q += dt R, V += dt R_V.
+template <int Dim>
+void update_matter(StepRun<Dim>& step, double dt, double weight);
+template <int Dim>
+void redistribute_small_fragments(StepRun<Dim>& step);
+/// No level set reaches into a rigid body.
+template <int Dim>
+void cut_out_rigid_bodies(StepRun<Dim>& step);
+template <int Dim>
+void exchange_along_surfaces(StepRun<Dim>& step);
+template <int Dim>
+void follow_volumes(StepRun<Dim>& step);
+template <int Dim>
+void empty_and_fill(StepRun<Dim>& step);
+template <int Dim>
+void bound_volumes(StepRun<Dim>& step);
+
+}  // namespace recoil
