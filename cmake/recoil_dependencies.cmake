@@ -10,9 +10,7 @@ pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(UDUNITS REQUIRED IMPORTED_TARGET udunits)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(PNG REQUIRED)
 
 add_library(recoil_dependencies INTERFACE)
@@ -24,9 +22,7 @@ target_link_libraries(
             PkgConfig::UDUNITS
             CLI11::CLI11
             fmt::fmt
-            spdlog::spdlog
             nlohmann_json::nlohmann_json
-            Eigen3::Eigen
             PNG::PNG
             MPI::MPI_C
             Threads::Threads)
