@@ -1,6 +1,7 @@
 #include "format/csv.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <fstream>
@@ -120,6 +121,19 @@ TEST(Csv, MistakesNameFileAndLine) {
 TEST(Csv, AFullDiskIsAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   EXPECT_THROW(CsvWriter("/dev/full", {"t"}), EnvironmentError);
+}
+
+RC_GTEST_PROP(CsvOfAnything, NumbersAndTextsComeBack, (const std::vector<double>& numbers)) {
+  const ScratchFolder folder;
+  const auto texts = *rc::gen::container<std::vector<std::string>>(
+      numbers.size(), rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')));
+  {
+    CsvWriter writer(folder / "a.csv", {"t [us]", "what"});
+    for (std::size_t k = 0; k < numbers.size(); ++k) writer.row({numbers[k], "x" + texts[k] + "x"});
+  }
+  const CsvTable table = read_csv(folder / "a.csv");
+  RC_ASSERT(table.numbers("t") == numbers);
+  for (std::size_t k = 0; k < texts.size(); ++k) RC_ASSERT(table.texts("what")[k] == "x" + texts[k] + "x");
 }
 
 }  // namespace
