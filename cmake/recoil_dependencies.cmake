@@ -8,10 +8,10 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi)
 pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(UDUNITS REQUIRED IMPORTED_TARGET udunits)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo cairo-pdf cairo-svg cairo-png)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(PNG REQUIRED)
 
 add_library(recoil_dependencies INTERFACE)
 target_link_libraries(
@@ -20,10 +20,10 @@ target_link_libraries(
             PkgConfig::HDF5
             PkgConfig::TOMLPLUSPLUS
             PkgConfig::UDUNITS
+            PkgConfig::CAIRO
             CLI11::CLI11
             fmt::fmt
             nlohmann_json::nlohmann_json
-            PNG::PNG
             MPI::MPI_C
             Threads::Threads)
 # We use MPI's C interface only; its old C++ one would bring in headers that do not compile without warnings.

@@ -51,7 +51,8 @@ FieldPicture sample(const config::Case& c) {
 
 }  // namespace
 
-void draw_case(const config::Case& c, const std::filesystem::path& png) {
+void draw_case(const config::Case& c, const std::filesystem::path& file) {
+  const PictureFormat format = picture_format(file);
   const int dim = config::dimension(c.domain.geometry);
   FieldPicture picture = dim == 1 ? sample<1>(c) : dim == 2 ? sample<2>(c) : sample<3>(c);
   const auto axes = config::axes_of(c.domain.geometry);
@@ -59,12 +60,13 @@ void draw_case(const config::Case& c, const std::filesystem::path& png) {
   picture.note =
       dim == 3 ? fmt::format("z = {:.4g} mm", 500 * (c.domain.lo[2] + c.domain.hi[2])) : "at the start";
   for (std::size_t m = 0; m < c.bodies.size(); ++m)
-    picture.label += fmt::format("{}{} {}", m > 0 ? ", " : "", m + 1, c.bodies[m].name);
-  picture.range = {{0.5, static_cast<double>(c.bodies.size()) + 0.5}};
+    picture.categories.push_back({static_cast<double>(m + 1), c.bodies[m].name, area_colour(m)});
+  picture.detail = format == PictureFormat::png ? 1 : 2;
   picture.mirror = c.domain.geometry == config::Geometry::axisymmetric;
   picture.x_title = axes[0] + " [mm]";
-  picture.y_title = dim > 1 ? axes[1] + " [mm]" : " ";
-  write_png(png, field_picture(picture));
+  picture.y_title = dim > 1 ? axes[1] + " [mm]" : "";
+  picture.y_labels = dim > 1;
+  write_picture(file, field_picture(picture));
 }
 
 }  // namespace recoil::app

@@ -85,17 +85,20 @@ struct Commands {
     c->add_option("case", check.files, "case files, or their folders")->required()->type_name("CASE...");
     add_set(*c, check.overrides);
     c->add_flag("--json", check.json, "print JSON");
-    c->add_option("--png", check.png, "draw the case at the start")->type_name("FILE");
+    c->add_option("--png", check.png, "draw the case at the start; .svg and .pdf do as well")
+        ->type_name("FILE");
   }
 
   void add_plot() {
-    CLI::App* c =
-        command(top, "plot", "draw a gauge or a field of a run", [this] { return app::plot(plot); });
+    CLI::App* c = command(top, "plot", "draw a gauge, a column of the history or a field of a run",
+                          [this] { return app::plot(plot); });
     c->add_option("dir", plot.folder, "folder of the run")->required()->type_name("DIR");
-    c->add_option("what", plot.what, "gauge.NAME [COLUMN], or a field such as pressure; FILE.png may follow")
+    c->add_option("what", plot.what,
+                  "gauge.NAME [COLUMN], history.COLUMN, or a field such as pressure; FILE may follow")
         ->required()
         ->type_name("WHAT...");
-    c->add_option("-o,--output", plot.file, "picture; without it in DIR")->type_name("PNG");
+    c->add_option("-o,--output", plot.file, "picture, .png, .svg or .pdf; without it a PNG in DIR")
+        ->type_name("FILE");
     c->add_option("--reference", plot.reference, "curve to compare a gauge with")->type_name("CSV:COLUMN");
     c->add_option("--at", plot.at, "time of the field; without it the last")->type_name("TIME");
     c->add_option("--slice", plot.slice, "plane of a 3d field")->type_name("z=PLACE");
@@ -109,6 +112,21 @@ struct Commands {
                   "outline to draw over a field: a table of time and two coordinates")
         ->type_name("CSV");
     c->add_flag("--xt", plot.over_time, "a field of a 1d run over place and time (x-t diagram)");
+    c->add_option("--along", plot.along, "a field along a line, as a curve: 0mm,1mm:9mm,1mm")
+        ->type_name("X0,Y0:X1,Y1");
+    add_look(*c);
+  }
+
+  void add_look(CLI::App& c) {
+    c.add_option("--min", plot.lowest,
+                 "lower end of the colours, or of a curve's axis; in its unit, or with one")
+        ->type_name("VALUE");
+    c.add_option("--max", plot.highest, "upper end of the colours, or of a curve's axis")->type_name("VALUE");
+    c.add_flag("--log", plot.log, "logarithmic colours, or axis of a curve");
+    c.add_option("--width", plot.width, "width of the picture in pixels; of a field the most that it takes")
+        ->check(CLI::Range(300, 10000));
+    c.add_option("--height", plot.height, "height, likewise")->check(CLI::Range(200, 10000));
+    c.add_option("--title", plot.title, "heading")->type_name("TEXT");
   }
 
   void add_study() {

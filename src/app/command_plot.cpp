@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/field_plot.hpp"
+#include "app/plot_file.hpp"
 #include "config/units.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
@@ -54,52 +58,72 @@ std::string label_of(const fs::path& folder, const PlotOptions& o, const std::st
   return o.others.empty() ? gauge : fs::absolute(folder).lexically_normal().filename().string();
 }
 
-int plot_gauge(const PlotOptions& o, const std::string& name) {
-  const fs::path file = fs::path(o.folder) / "gauges" / (name + ".csv");
-  const std::vector<std::string> names = gauges_in(o.folder);
-  if (!fs::exists(file)) {
-    const std::string near = did_you_mean(name, names);
-    throw InputError(fmt::format("there is no gauge '{}' in {}{}{}", name, o.folder,
-                                 near.empty() ? "" : "\n   = help: ", near));
-  }
-  const CsvTable table = read_csv(file);
+/// A column of one table, by its name in every run: `what` is "gauges/rear.csv" or "history.csv".
+struct Record {
+  std::string what, name, column;
+};
+
+int plot_record(const PlotOptions& o, const Record& record) {
+  const CsvTable table = read_csv(fs::path(o.folder) / record.what);
   if (table.columns.size() < 2)
-    throw InputError(fmt::format("{} holds no column but the time", file.string()));
-  const std::string column = table.columns[o.what.size() > 1 ? table.index(o.what[1]) : 1];
+    throw InputError(fmt::format("{} holds no column but the time", table.path.string()));
+  const std::string column = table.columns[record.column.empty() ? 1 : table.index(record.column)];
+  const std::string unit = table.unit(column), over = table.unit(table.columns.front());
   LineChart chart;
-  chart.title = o.others.empty()
-                    ? fmt::format("{}, {}", fs::path(o.folder).lexically_normal().filename().string(), name)
-                    : name;
-  const std::string over = table.unit(table.columns.front());
-  chart.x_title = over == "us" ? "time [µs]" : table.columns.front();
+  chart.title =
+      o.others.empty()
+          ? fmt::format("{}, {}", fs::path(o.folder).lexically_normal().filename().string(), record.name)
+          : record.name;
+  chart.x_title = table.columns.front();
   chart.y_title = column;
-  if (!o.reference.empty()) chart.series.push_back(reference_curve(o.reference, over, table.unit(column)));
-  chart.series.push_back(curve(table, column, over, table.unit(column), label_of(o.folder, o, name)));
-  for (const std::string& other : o.others) {
-    const CsvTable more = read_csv(fs::path(other) / "gauges" / (name + ".csv"));
-    chart.series.push_back(curve(more, column, over, table.unit(column), label_of(other, o, name)));
-  }
+  if (!o.reference.empty()) chart.series.push_back(reference_curve(o.reference, over, unit));
+  chart.series.push_back(curve(table, column, over, unit, label_of(o.folder, o, record.name)));
+  for (const std::string& other : o.others)
+    chart.series.push_back(
+        curve(read_csv(fs::path(other) / record.what), column, over, unit, label_of(other, o, record.name)));
+  if (chart.series.size() == 1) chart.series.front().label.clear();  // the title says it
   // A reference may go on for longer than the run.
   const std::vector<double>& span = chart.series[o.reference.empty() ? 0 : 1].x;
   if (!o.reference.empty() && !span.empty()) chart.x_range = {span.front(), span.back()};
-  const fs::path png = o.file.empty() ? fs::path(o.folder) / (name + ".png") : fs::path(o.file);
-  write_png(png, line_chart(chart));
-  fmt::print("{}\n", png.string());
-  return 0;
+  return save_chart(o, std::move(chart), record.name);
+}
+
+int plot_gauge(const PlotOptions& o, const std::string& name) {
+  const std::string file = "gauges/" + name + ".csv";
+  if (!fs::exists(fs::path(o.folder) / file)) {
+    const std::string near = did_you_mean(name, gauges_in(o.folder));
+    throw InputError(fmt::format("there is no gauge '{}' in {}{}{}", name, o.folder,
+                                 near.empty() ? "" : "\n   = help: ", near));
+  }
+  return plot_record(o, {file, name, o.what.size() > 1 ? o.what[1] : ""});
+}
+
+/// Takes the file off the words, if one stands there: behind a gauge and its column, or behind anything else.
+void take_file(PlotOptions& o, bool is_gauge) {
+  if (o.what.size() < 2) return;
+  const std::string suffix = fs::path(o.what.back()).extension().string();
+  const bool known = suffix == ".png" || suffix == ".svg" || suffix == ".pdf";
+  if (!known && is_gauge && o.what.size() == 2) return;
+  picture_format(o.what.back());
+  if (!o.file.empty()) throw InputError(fmt::format("two files are given: {} and {}", o.what.back(), o.file));
+  o.file = o.what.back();
+  o.what.pop_back();
+  if (o.what.size() > (is_gauge ? 2U : 1U))
+    throw InputError(fmt::format("'{}' is one word too many", o.what.back()));
 }
 
 }  // namespace
 
 int plot(const PlotOptions& given) {
   PlotOptions o = given;
-  if (o.what.size() > 1 && o.what.back().ends_with(".png")) {
-    if (o.file.empty()) o.file = o.what.back();
-    o.what.pop_back();
-  }
   if (!fs::is_directory(o.folder)) throw InputError(fmt::format("there is no folder {}", o.folder));
-  const std::string& what = o.what.front();
-  if (what.starts_with("gauge.")) return plot_gauge(o, what.substr(6));
-  if (fs::exists(fs::path(o.folder) / "gauges" / (what + ".csv"))) return plot_gauge(o, what);
+  const std::string what = o.what.front();
+  const bool is_gauge =
+      what.starts_with("gauge.") || fs::exists(fs::path(o.folder) / "gauges" / (what + ".csv"));
+  take_file(o, is_gauge);
+  if (!o.file.empty()) picture_format(o.file);  // before the work
+  if (is_gauge) return plot_gauge(o, what.starts_with("gauge.") ? what.substr(6) : what);
+  if (what.starts_with("history.")) return plot_record(o, {"history.csv", what, what.substr(8)});
   return o.over_time ? plot_field_over_time(o) : plot_field(o);
 }
 

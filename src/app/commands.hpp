@@ -24,14 +24,14 @@ struct CheckOptions {
   std::vector<std::string> files;
   std::vector<std::string> overrides;
   bool json = false;
-  std::string png;  // picture of the case
+  std::string png;  // picture of the case; .svg and .pdf do as well
 };
 int check(const CheckOptions& options);
 
 struct PlotOptions {
   std::string folder;
-  std::vector<std::string> what;    // gauge.NAME [COLUMN], or FIELD; a name ending in .png is `file`
-  std::string file;                 // PNG
+  std::vector<std::string> what;    // gauge.NAME [COLUMN], history.COLUMN, or FIELD; FILE may follow
+  std::string file;                 // .png, .svg or .pdf
   std::string reference;            // CSV:COLUMN
   std::string at;                   // time of the field
   std::string slice;                // "z=0mm"
@@ -39,6 +39,11 @@ struct PlotOptions {
   std::string outline;              // CSV with time and two coordinates, drawn over a field
   std::string window;               // "r=0mm..9mm,z=0mm..12mm": the part of a field to draw
   bool over_time = false;           // a field of a 1d run over place and time
+  std::string along;                // "0mm,1mm:9mm,1mm": a field along that line as a curve
+  std::string lowest, highest;      // ends of the colours, or of the vertical axis; in its unit, or with one
+  bool log = false;                 // logarithmic colours, or vertical axis
+  int width = 0, height = 0;        // pixels; 0: as usual
+  std::string title;                // empty: of the case or run
 };
 int plot(const PlotOptions& options);
 

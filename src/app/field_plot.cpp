@@ -5,14 +5,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "app/plot_file.hpp"
 #include "config/read_case.hpp"
 #include "config/read_shape.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
 #include "format/csv.hpp"
+#include "picture/axis.hpp"
 #include "picture/field_picture.hpp"
 #include "picture/field_plane.hpp"
 #include "picture/line_chart.hpp"
@@ -23,18 +30,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-double quantity(const std::string& text, const char* unit, const char* option) {
-  const config::Quantity q = config::parse_quantity(text, unit, option);
-  if (!q.ok()) throw InputError(fmt::format("{}\n   = help: {}", q.problem, q.help));
-  return q.value;
-}
-
 /// Place of the plane of "z=0mm" [m]; without it z = 0, or the middle of a domain that does not hold it.
 double place_of_slice(const std::string& text, const config::Domain& domain) {
   if (text.empty()) return domain.lo[2] <= 0 && domain.hi[2] > 0 ? 0 : 0.5 * (domain.lo[2] + domain.hi[2]);
   if (!text.starts_with("z="))
     throw InputError(fmt::format("a plane is given as z=PLACE, not '{}'\n   = help: --slice z=0mm", text));
-  return quantity(text.substr(2), "m", "--slice");
+  return quantity_option(text.substr(2), "m", "--slice");
 }
 
 /// The case that a run computed; of it only the domain counts here.
@@ -48,7 +49,7 @@ config::Case case_of(const fs::path& run) {
   return c;
 }
 
-Image curve_of(const FieldPlane& plane, const std::string& title, const std::string& note) {
+LineChart curve_of(const FieldPlane& plane, const std::string& title, const std::string& note) {
   LineChart chart{title, note, "x [mm]", plane.label};
   Series s;
   for (int i = 0; i < plane.values.nx; ++i) {
@@ -56,17 +57,91 @@ Image curve_of(const FieldPlane& plane, const std::string& title, const std::str
     s.y.push_back(plane.values.at(i, 0));
   }
   chart.series.push_back(std::move(s));
-  return line_chart(chart);
+  return chart;
 }
 
-/// Zero in the middle of the colours where values have both signs.
-void choose_colours(FieldPicture& picture, bool signed_values) {
-  double lo = 0, hi = 0;
-  for (const double v : picture.values)
-    if (std::isfinite(v)) lo = std::min(lo, v), hi = std::max(hi, v);
-  if (!signed_values || !(lo < 0)) return;
-  picture.map = ColourMap::diverging;
-  picture.range = {{-std::max(-lo, hi), std::max(-lo, hi)}};
+/// Reads "0mm,1mm:9mm,1mm": two places [m].
+std::pair<Point2, Point2> read_line(const std::string& text) {
+  const auto place = [&text](const std::string& part) {
+    const std::size_t comma = part.find(',');
+    if (comma == std::string::npos)
+      throw InputError(fmt::format("'{}' is no line\n   = help: --along 0mm,1mm:9mm,1mm", text));
+    return Point2{quantity_option(part.substr(0, comma), "m", "--along"),
+                  quantity_option(part.substr(comma + 1), "m", "--along")};
+  };
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const std::pair<Point2, Point2> line{place(text.substr(0, colon)),
+                                       place(colon < text.size() ? text.substr(colon + 1) : "")};
+  if (line.first == line.second)
+    throw InputError(fmt::format("'{}' is a point\n   = help: --along needs two places", text));
+  return line;
+}
+
+/// The value at (u, v), in cells from the lower left corner: linear between the four nearest centres of
+/// cells, of which those without matter do not count. NaN in a cell without matter.
+double value_at(const PlaneArray& a, double u, double v) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  if (!(u >= 0 && u < a.nx && v >= 0 && v < a.ny)) return nothing;
+  if (std::isnan(a.at(static_cast<int>(u), static_cast<int>(v)))) return nothing;
+  const int i = static_cast<int>(std::floor(u - 0.5)), j = static_cast<int>(std::floor(v - 0.5));
+  const double s = u - 0.5 - i, t = v - 0.5 - j;
+  double sum = 0, weight = 0;
+  for (const int q : {0, 1})
+    for (const int p : {0, 1}) {
+      const double near = a.at(std::clamp(i + p, 0, a.nx - 1), std::clamp(j + q, 0, a.ny - 1));
+      const double w = std::abs(1 - p - s) * std::abs(1 - q - t);
+      if (std::isnan(near)) continue;
+      sum += w * near, weight += w;
+    }
+  return sum / weight;
+}
+
+/// The field along a line, two values a cell, over the distance from its beginning.
+/// @param mirror whether x < 0 is the mirror image of x > 0.
+LineChart line_out(const FieldPlane& plane, const std::string& text, const std::string& title,
+                   const std::string& time, bool mirror) {
+  const auto [from, to] = read_line(text);
+  const PlaneArray& a = plane.values;
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const int n = static_cast<int>(std::clamp(2 * length / std::min(a.dx, a.dy), 2.0, 2e4));
+  Series s;
+  for (int k = 0; k <= n; ++k) {
+    const double t = 1.0 * k / n, x = from.x + t * (to.x - from.x), y = from.y + t * (to.y - from.y);
+    s.x.push_back(1e3 * t * length);
+    s.y.push_back(value_at(a, ((mirror ? std::abs(x) : x) - a.x0) / a.dx, (y - a.y0) / a.dy));
+  }
+  if (std::ranges::all_of(s.y, [](double v) { return std::isnan(v); }))
+    throw InputError(fmt::format("there is no matter along {}\n   = help: choose another --along", text));
+  const auto mm = [](double x) { return fmt::format("{}{:.4g}", x < 0 ? "\u2212" : "", 1e3 * std::abs(x)); };
+  const std::string note =
+      fmt::format("{}, ({}, {}) to ({}, {}) mm", time, mm(from.x), mm(from.y), mm(to.x), mm(to.y));
+  LineChart chart{title, note, "distance [mm]", plane.label};
+  chart.series.push_back(std::move(s));
+  return chart;
+}
+
+/// Colours by the options; zero in the middle of them where values have both signs.
+void choose_colours(FieldPicture& picture, bool signed_values, const PlotOptions& o) {
+  if (!picture.categories.empty()) {
+    if (o.log || !o.lowest.empty() || !o.highest.empty())
+      throw InputError("a field of names has no --min, --max or --log\n   = help: leave them out");
+    return;
+  }
+  Range values;
+  for (const double v : picture.values) values.include(v, o.log);
+  picture.log = o.log;
+  picture.range = range_of(o, picture.label, values.lo, values.hi);
+  const double lo = picture.range ? picture.range->first : values.lo;
+  const double hi = picture.range ? picture.range->second : values.hi;
+  if (signed_values && !o.log && lo < 0 && (hi > 0 || !picture.range)) picture.map = ColourMap::diverging;
+}
+
+/// Size, heading and sharpness by the options.
+void choose_look(FieldPicture& picture, const PlotOptions& o) {
+  if (o.width > 0) picture.max_width = o.width;
+  if (o.height > 0) picture.max_height = o.height;
+  if (!o.title.empty()) picture.title = o.title;
+  if (!o.file.empty() && picture_format(o.file) != PictureFormat::png) picture.detail = 2;
 }
 
 /// What a window leaves of one axis.
@@ -86,8 +161,8 @@ std::array<Span, 2> read_window(const std::string& text, const std::vector<std::
       throw InputError(
           fmt::format("'{}' is no part of a window\n   = help: --window {}=0mm..9mm,{}=0mm..12mm", part,
                       axes[0], axes[1]));
-    window[axis] = {quantity(part.substr(equals + 1, dots - equals - 1), "m", "--window"),
-                    quantity(part.substr(dots + 2), "m", "--window")};
+    window[axis] = {quantity_option(part.substr(equals + 1, dots - equals - 1), "m", "--window"),
+                    quantity_option(part.substr(dots + 2), "m", "--window")};
     at = end + 1;
   }
   return window;
@@ -132,8 +207,8 @@ Outline read_outline(const std::string& file, double t) {
   return outline;
 }
 
-Image picture_of(const FieldPlane& plane, const config::Case& c, const std::string& title,
-                 const std::string& note, const std::string& outline) {
+Canvas picture_of(const FieldPlane& plane, const config::Case& c, const std::string& note,
+                  const PlotOptions& o) {
   const PlaneArray& a = plane.values;
   FieldPicture picture;
   picture.nx = a.nx, picture.ny = a.ny;
@@ -142,16 +217,18 @@ Image picture_of(const FieldPlane& plane, const config::Case& c, const std::stri
   picture.values = a.values;
   picture.level_set = plane.matter.values;
   for (const PlaneArray& phi : plane.level_sets)
-    for (Outline& o : zero_outlines(phi)) picture.outlines.push_back(std::move(o));
-  picture.title = title;
+    for (Outline& line : zero_outlines(phi)) picture.outlines.push_back(std::move(line));
+  picture.title = c.title;
   picture.note = note;
   picture.label = plane.label;
+  picture.categories = plane.categories;
   const auto axes = config::axes_of(c.domain.geometry);
   picture.x_title = axes[0] + " [mm]";
   picture.y_title = axes[1] + " [mm]";
   picture.mirror = c.domain.geometry == config::Geometry::axisymmetric;
-  if (!outline.empty()) picture.references.push_back(read_outline(outline, plane.time_s));
-  choose_colours(picture, plane.signed_values);
+  if (!o.outline.empty()) picture.references.push_back(read_outline(o.outline, plane.time_s));
+  choose_colours(picture, plane.signed_values, o);
+  choose_look(picture, o);
   return field_picture(picture);
 }
 
@@ -159,30 +236,29 @@ Image picture_of(const FieldPlane& plane, const config::Case& c, const std::stri
 
 int plot_field(const PlotOptions& o) {
   const config::Case c = case_of(o.folder);
-  const ChosenDump chosen =
-      choose_dump(o.folder, o.at.empty() ? std::nullopt : std::optional<double>(quantity(o.at, "s", "--at")));
+  const ChosenDump chosen = choose_dump(
+      o.folder, o.at.empty() ? std::nullopt : std::optional<double>(quantity_option(o.at, "s", "--at")));
   const std::string& name = o.what.front();
   FieldPlane plane = field_plane(read_vtkhdf(chosen.path), name, run_units(c.domain.geometry),
                                  place_of_slice(o.slice, c.domain));
   const bool is_line = c.domain.geometry == config::Geometry::line;
-  if (is_line && !(o.window.empty() && o.outline.empty()))
+  if (is_line && !(o.window.empty() && o.outline.empty() && o.along.empty()))
     throw InputError(
-        "--window and --outline need a field in the plane\n   = help: leave them out for a 1d run");
+        "--window, --outline and --along need a field in the plane\n   = help: leave them out for a 1d run");
+  const std::string note = fmt::format("{:.4g} µs", chosen.time_s * 1e6);
+  const std::string file = fmt::format("{}_{:.4g}us", name, chosen.time_s * 1e6);
+  if (is_line) return save_chart(o, curve_of(plane, c.title, note), file);
+  if (!o.along.empty()) {
+    const bool mirror = c.domain.geometry == config::Geometry::axisymmetric;
+    return save_chart(o, line_out(plane, o.along, c.title, note, mirror), file + "_along");
+  }
   if (!o.window.empty()) {
     const auto window = read_window(o.window, config::axes_of(c.domain.geometry));
     crop(plane.values, window);
     crop(plane.matter, window);
     for (PlaneArray& phi : plane.level_sets) crop(phi, window);
   }
-  const std::string note = fmt::format("{:.4g} µs", chosen.time_s * 1e6);
-  const Image image =
-      is_line ? curve_of(plane, c.title, note) : picture_of(plane, c, c.title, note, o.outline);
-  const fs::path png = o.file.empty()
-                           ? fs::path(o.folder) / fmt::format("{}_{:.4g}us.png", name, chosen.time_s * 1e6)
-                           : fs::path(o.file);
-  write_png(png, image);
-  fmt::print("{}\n", png.string());
-  return 0;
+  return save_picture(o, picture_of(plane, c, note, o), file);
 }
 
 int plot_field_over_time(const PlotOptions& o) {
@@ -218,6 +294,7 @@ int plot_field_over_time(const PlotOptions& o) {
     const FieldPlane plane =
         field_plane(read_vtkhdf(dumps[j].path), o.what.front(), run_units(c.domain.geometry));
     picture.label = plane.label;
+    picture.categories = plane.categories;
     signed_values = plane.signed_values;
     put(plane.values, j, picture.values);
     surfaces.resize(plane.level_sets.size(),
@@ -230,11 +307,9 @@ int plot_field_over_time(const PlotOptions& o) {
   picture.x_title = "x [mm]", picture.y_title = "time [µs]";
   picture.y_scale = 1e6;
   picture.equal_aspect = false;
-  choose_colours(picture, signed_values);
-  const fs::path png = o.file.empty() ? fs::path(o.folder) / (o.what.front() + "_xt.png") : fs::path(o.file);
-  write_png(png, field_picture(picture));
-  fmt::print("{}\n", png.string());
-  return 0;
+  choose_colours(picture, signed_values, o);
+  choose_look(picture, o);
+  return save_picture(o, field_picture(picture), o.what.front() + "_xt");
 }
 
 }  // namespace recoil::app

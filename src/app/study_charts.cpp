@@ -39,7 +39,7 @@ bool write_errors(const fs::path& png, const StudyTable& table) {
     chart.series.push_back(std::move(s));
   }
   if (chart.series.empty()) return false;
-  write_png(png, line_chart(chart));
+  write_picture(png, line_chart(chart));
   return true;
 }
 
@@ -91,7 +91,7 @@ void write_comparison(const fs::path& png, const Comparison& c, const StudyTable
     reference.style = kReferenceStyle;
     chart.series.push_back(std::move(reference));
   }
-  write_png(png, line_chart(chart));
+  write_picture(png, line_chart(chart));
 }
 
 }  // namespace

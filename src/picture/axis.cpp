@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
 
 namespace recoil {
 namespace {
@@ -18,7 +20,9 @@ Ticks decade_ticks(const AxisScale& scale, int wanted) {
   const int first = static_cast<int>(std::floor(std::log10(scale.lo)));
   const int last = static_cast<int>(std::ceil(std::log10(scale.hi)));
   const int stride = std::max(1, (last - first) / std::max(wanted, 1));
-  const bool few = std::log10(scale.hi / scale.lo) < 1.7;  // label 2 and 5 as well
+  const double decades = std::log10(scale.hi / scale.lo);
+  const bool few = decades < 1.7;                 // label 2 and 5 as well
+  const bool every = decades < 1 && wanted >= 5;  // label all
   const double slack = 1e-9;
   for (int decade = first; decade <= last; ++decade)
     for (int m = 1; m <= 9; ++m) {
@@ -29,7 +33,7 @@ Ticks decade_ticks(const AxisScale& scale, int wanted) {
         const bool plain = decade >= -3 && decade <= 3;
         ticks.labels.push_back(plain ? fmt::format("{:g}", value)
                                      : fmt::format("10^{{{}}}", with_minus(std::to_string(decade))));
-      } else if (few && (m == 2 || m == 5)) {
+      } else if (every || (few && (m == 2 || m == 5))) {
         ticks.at.push_back(value);
         const bool plain = decade >= -3 && decade <= 3;
         ticks.labels.push_back(plain ? fmt::format("{:g}", value)
@@ -47,6 +51,33 @@ double nice_step(double rough) {
   return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
 }
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// "kg/m3" as "kg/m³", "us" as "µs".
+std::string unit_symbols(const std::string& unit) {
+  static const std::map<std::string, std::string> symbols{{"us", "µs"}, {"um", "µm"}, {"ug", "µg"},
+                                                          {"uJ", "µJ"}, {"deg", "°"}, {"degC", "°C"}};
+  std::string out;
+  for (std::size_t k = 0; k < unit.size();) {
+    if (!is_letter(unit[k])) {
+      out += unit[k++];
+      continue;
+    }
+    std::size_t end = k;
+    while (end < unit.size() && is_letter(unit[end])) ++end;
+    const std::string name = unit.substr(k, end - k);
+    const auto symbol = symbols.find(name);
+    out += symbol == symbols.end() ? name : symbol->second;
+    if (end < unit.size() && unit[end] == '^') ++end;
+    const std::size_t power = end;
+    if (end < unit.size() && unit[end] == '-') ++end;
+    while (end < unit.size() && unit[end] >= '0' && unit[end] <= '9') ++end;
+    if (end > power) out += fmt::format("^{{{}}}", with_minus(unit.substr(power, end - power)));
+    k = end;
+  }
+  return out;
+}
+
 }  // namespace
 
 double AxisScale::fraction(double value) const {
@@ -56,7 +87,11 @@ double AxisScale::fraction(double value) const {
 }
 
 Ticks nice_ticks(const AxisScale& scale, int wanted) {
-  if (scale.log) return decade_ticks(scale, wanted);
+  if (scale.log) {
+    Ticks decades = decade_ticks(scale, wanted);
+    if (decades.at.size() > 1 || scale.hi > 10 * scale.lo)
+      return decades;  // else the axis is too short for them
+  }
   Ticks ticks;
   const double step = nice_step((scale.hi - scale.lo) / std::max(wanted, 1));
   const double largest = std::max(std::abs(scale.lo), std::abs(scale.hi));
@@ -74,8 +109,17 @@ Ticks nice_ticks(const AxisScale& scale, int wanted) {
 }
 
 std::string title_with_exponent(const std::string& title, const Ticks& ticks) {
-  if (ticks.exponent == 0) return title;
-  return fmt::format("{}   ×10^{{{}}}", title, with_minus(std::to_string(ticks.exponent)));
+  const std::string readable = with_unit_symbols(title);
+  if (ticks.exponent == 0) return readable;
+  return fmt::format("{}   ×10^{{{}}}", readable, with_minus(std::to_string(ticks.exponent)));
+}
+
+std::string with_unit_symbols(const std::string& title) {
+  const std::size_t open = title.rfind('[');
+  if (open == std::string::npos || !title.ends_with(']')) return title;
+  const std::string unit = title.substr(open + 1, title.size() - open - 2);
+  if (unit == "1") return open == 0 ? "" : title.substr(0, title.find_last_not_of(' ', open - 1) + 1);
+  return title.substr(0, open + 1) + unit_symbols(unit) + "]";
 }
 
 void Range::include(double value, bool log) {

@@ -23,10 +23,15 @@ struct Ticks {
   int exponent = 0;           ///< the labels are to be multiplied by 10^exponent; belongs into the title
 };
 
-/// Marks at 1, 2 or 5 times a power of ten (decades on a logarithmic axis), about `wanted` of them.
+/// Marks at 1, 2 or 5 times a power of ten (decades on a logarithmic axis, unless it is too short for them),
+/// about `wanted` of them.
 Ticks nice_ticks(const AxisScale& scale, int wanted);
 
-/// `title` with the common power of ten of the labels, if there is one.
+/// The title of a column with its unit in brackets, for people: "time [us]" as "time [µs]", "density [kg/m3]"
+/// with a raised 3 (see draw_text), "friction [1]" as "friction".
+std::string with_unit_symbols(const std::string& title);
+
+/// The same with the common power of ten of the labels, if there is one.
 std::string title_with_exponent(const std::string& title, const Ticks& ticks);
 
 /// Grows to hold every finite value put in (for a logarithm: every positive one).

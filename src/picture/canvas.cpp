@@ -1,87 +1,49 @@
 #include "picture/canvas.hpp"
 
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <regex>
+
+#include "core/error.hpp"
+#include "format/json_files.hpp"
+#include "picture/recording.hpp"
 
 namespace recoil {
 namespace {
 
-unsigned char mixed(unsigned char below, unsigned char above, double cover) {
-  return static_cast<unsigned char>(std::lround(below + (above - below) * cover));
+constexpr double points_of_a_pixel = 0.5;  // in PDF
+
+void set_colour(cairo_t* pen, Rgb c, double alpha) {
+  cairo_set_source_rgba(pen, c.r / 255.0, c.g / 255.0, c.b / 255.0, alpha);
 }
 
-void blend(Image& image, int i, int j, Rgb colour, double cover) {
-  const std::size_t o = image.offset(i, j);
-  image.rgb[o] = mixed(image.rgb[o], colour.r, cover);
-  image.rgb[o + 1] = mixed(image.rgb[o + 1], colour.g, cover);
-  image.rgb[o + 2] = mixed(image.rgb[o + 2], colour.b, cover);
+void clip_to(cairo_t* pen, const PixelRect& r) {
+  cairo_rectangle(pen, r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
+  cairo_clip(pen);
 }
 
-/// Whole pixels touched by a rectangle, cut to the picture: [i0, i1) x [j0, j1).
-struct PixelBox {
-  int i0 = 0, j0 = 0, i1 = 0, j1 = 0;
-  bool empty() const { return i1 <= i0 || j1 <= j0; }
-};
-
-PixelBox box_of(const PixelRect& rect, const Image& image) {
-  const auto low = [](double v, int size) {
-    return static_cast<int>(std::clamp(std::floor(v), 0.0, 1.0 * size));
-  };
-  const auto high = [](double v, int size) {
-    return static_cast<int>(std::clamp(std::ceil(v), 0.0, 1.0 * size));
-  };
-  return {low(rect.x0, image.width), low(rect.y0, image.height), high(rect.x1, image.width),
-          high(rect.y1, image.height)};
-}
-
-/// How much of each pixel of a box the lines cover, the largest over all of them.
-struct Coverage {
-  PixelBox box;
-  std::vector<float> values;
-
-  explicit Coverage(const PixelBox& b)
-      : box(b), values(static_cast<std::size_t>(b.i1 - b.i0) * static_cast<std::size_t>(b.j1 - b.j0), 0.0f) {}
-  float& at(int i, int j) {
-    return values[static_cast<std::size_t>(j - box.j0) * static_cast<std::size_t>(box.i1 - box.i0) +
-                  static_cast<std::size_t>(i - box.i0)];
+/// Settings of the pen that hold until the end of the scope. It begins with an empty path, which is none of
+/// the settings: a text leaves the point at its end there.
+struct Scope {
+  cairo_t* pen;
+  explicit Scope(const Canvas& canvas) : pen(canvas.recording().pen) {
+    cairo_save(pen);
+    cairo_new_path(pen);
   }
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+  ~Scope() { cairo_restore(pen); }
 };
-
-double distance_to_segment(Point2 p, Point2 a, Point2 b) {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double length2 = dx * dx + dy * dy;
-  const double t = length2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2, 0.0, 1.0) : 0.0;
-  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
-}
-
-/// Adds one segment with round ends. Each row of pixels visits only the stretch near the segment, so a
-/// long diagonal costs its length and not the area around it.
-void cover_segment(Coverage& cover, Point2 a, Point2 b, double width) {
-  const double radius = 0.5 * std::max(width, 1.0);
-  const double strength = std::min(width, 1.0);  // a hairline is fainter, not thinner
-  const double reach = radius + 0.5;
-  if (a.y > b.y) std::swap(a, b);
-  const int j0 = std::max(cover.box.j0, static_cast<int>(std::floor(std::max(a.y - reach, -1e6))));
-  const int j1 = std::min(cover.box.j1, static_cast<int>(std::ceil(std::min(b.y + reach, 1e6))));
-  for (int j = j0; j < j1; ++j) {
-    const double y = j + 0.5;
-    double xa = a.x, xb = b.x;
-    if (b.y - a.y > 1e-9) {
-      const double slope = (b.x - a.x) / (b.y - a.y);
-      xa = a.x + slope * (std::clamp(y - reach, a.y, b.y) - a.y);
-      xb = a.x + slope * (std::clamp(y + reach, a.y, b.y) - a.y);
-    }
-    if (xa > xb) std::swap(xa, xb);
-    const int i0 = std::max(cover.box.i0, static_cast<int>(std::floor(std::max(xa - reach, -1e6))));
-    const int i1 = std::min(cover.box.i1, static_cast<int>(std::ceil(std::min(xb + reach, 1e6))));
-    for (int i = i0; i < i1; ++i) {
-      const double c = std::clamp(reach - distance_to_segment({i + 0.5, y}, a, b), 0.0, 1.0) * strength;
-      float& old = cover.at(i, j);
-      old = std::max(old, static_cast<float>(c));
-    }
-  }
-}
 
 /// The part of the segment inside the rectangle, as a range of its parameter (Liang and Barsky, 1984).
 bool clip_segment(Point2 a, Point2 b, const PixelRect& r, double& t0, double& t1) {
@@ -102,104 +64,230 @@ bool clip_segment(Point2 a, Point2 b, const PixelRect& r, double& t0, double& t1
 
 Point2 between(Point2 a, Point2 b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
 
-/// Cuts the visible part of a segment into dashes. @param phase length along the line before it.
-void cover_dashes(Coverage& cover, Point2 a, Point2 b, const Stroke& stroke, double phase, double t0,
-                  double t1) {
-  double period = 0;
-  for (const double part : stroke.dash) period += part;
-  const double length = std::hypot(b.x - a.x, b.y - a.y);
-  if (!(period > 0.5) || !(length > 0)) return cover_segment(cover, a, b, stroke.width);
-  double start = phase + t0 * length;  // along the whole line
-  const double end = phase + t1 * length;
-  double base = std::floor(start / period) * period;
-  for (; base < end; base += period) {
-    double from = base;
-    for (std::size_t k = 0; k < stroke.dash.size(); ++k) {
-      const double to = from + stroke.dash[k];
-      const double lo = std::max(from, start), hi = std::min(to, end);
-      if (k % 2 == 0 && lo < hi)
-        cover_segment(cover, between(a, b, (lo - phase) / length), between(a, b, (hi - phase) / length),
-                      stroke.width);
-      from = to;
-    }
-  }
-}
-
-void cover_line(Coverage& cover, const Polyline& line, const Stroke& stroke, const PixelRect& visible) {
+/// Adds the line to the path. Cairo's coordinates end at 2^23 pixels, so what lies far outside is cut off.
+void add_path(cairo_t* pen, const Polyline& line, const PixelRect& visible) {
   const auto finite = [](Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); };
-  if (line.size() == 1 && finite(line[0])) cover_segment(cover, line[0], line[0], stroke.width);
-  double phase = 0;
+  bool down = false;  // the pen stands at line[k - 1]
   for (std::size_t k = 1; k < line.size(); ++k) {
     const Point2 a = line[k - 1], b = line[k];
-    if (!finite(a) || !finite(b)) {
-      phase = 0;
+    double t0 = 0, t1 = 1;
+    if (!finite(a) || !finite(b) || !clip_segment(a, b, visible, t0, t1)) {
+      down = false;
       continue;
     }
-    double t0 = 0, t1 = 1;
-    if (clip_segment(a, b, visible, t0, t1)) {
-      if (stroke.dash.empty())
-        cover_segment(cover, between(a, b, t0), between(a, b, t1), stroke.width);
-      else
-        cover_dashes(cover, a, b, stroke, phase, t0, t1);
-    }
-    phase += std::hypot(b.x - a.x, b.y - a.y);
+    const Point2 from = between(a, b, t0), to = between(a, b, t1);
+    if (!down || t0 > 0) cairo_move_to(pen, from.x, from.y);
+    cairo_line_to(pen, to.x, to.y);
+    down = t1 == 1;
   }
 }
 
-/// Smallest rectangle around the lines, with room for their width, inside `clip`.
-PixelRect extent(std::span<const Polyline> lines, double margin, const PixelRect& clip) {
-  PixelRect r{clip.x1, clip.y1, clip.x0, clip.y0};
-  for (const auto& line : lines)
-    for (const Point2& p : line) {
-      if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
-      r = {std::min(r.x0, p.x - margin), std::min(r.y0, p.y - margin), std::max(r.x1, p.x + margin),
-           std::max(r.y1, p.y + margin)};
+/// An image as Cairo's, which takes 4 bytes a pixel.
+cairo_surface_t* surface_of(const Image& image) {
+  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height);
+  require_drawn(cairo_surface_status(surface));
+  unsigned char* data = cairo_image_surface_get_data(surface);
+  const int stride = cairo_image_surface_get_stride(surface);
+  for (int j = 0; j < image.height; ++j) {
+    auto* row = reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(j) * stride);
+    for (int i = 0; i < image.width; ++i) {
+      const Rgb c = image.at(i, j);
+      row[i] = static_cast<std::uint32_t>(c.r) << 16 | static_cast<std::uint32_t>(c.g) << 8 | c.b;
     }
-  return {std::max(r.x0, clip.x0), std::max(r.y0, clip.y0), std::min(r.x1, clip.x1), std::min(r.y1, clip.y1)};
+  }
+  cairo_surface_mark_dirty(surface);
+  return surface;
+}
+
+/// Draws everything recorded on another surface.
+void replay(const Canvas& canvas, const Canvas::Recording& target, double scale) {
+  require_drawn(cairo_status(canvas.recording().pen));
+  cairo_scale(target.pen, scale, scale);
+  cairo_set_source_surface(target.pen, canvas.recording().surface, 0, 0);
+  cairo_paint(target.pen);
+  require_drawn(cairo_status(target.pen));
+}
+
+/// Takes Cairo's output to a string; the type is Cairo's cairo_write_func_t.
+cairo_status_t append(void* to, const unsigned char* bytes, unsigned int count) {
+  static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+std::string encoded_pdf(const Canvas& canvas) {
+  std::string bytes;
+  const Canvas::Recording target(cairo_pdf_surface_create_for_stream(
+      append, &bytes, points_of_a_pixel * canvas.width(), points_of_a_pixel * canvas.height()));
+  cairo_pdf_surface_set_metadata(target.surface, CAIRO_PDF_METADATA_CREATE_DATE, nullptr);
+  replay(canvas, target, points_of_a_pixel);
+  cairo_surface_finish(target.surface);
+  require_drawn(cairo_surface_status(target.surface));
+  return bytes;
+}
+
+/// Cairo numbers surfaces from the start of the program; here they count from 1, so that a drawing gives the
+/// same bytes whatever was drawn before. No text of ours stands in the file, so every such name is Cairo's.
+std::string with_own_numbers(const std::string& svg) {
+  static const std::regex name("([\"#](?:surface|image))([0-9]+)");
+  std::map<std::string, std::size_t> numbers;
+  std::string out;
+  auto rest = svg.begin();
+  for (auto at = std::sregex_iterator(svg.begin(), svg.end(), name); at != std::sregex_iterator(); ++at) {
+    const std::size_t number = numbers.try_emplace((*at)[2].str(), numbers.size() + 1).first->second;
+    out.append(rest, (*at)[1].second);
+    out += std::to_string(number);
+    rest = (*at)[2].second;
+  }
+  return out.append(rest, svg.end());
+}
+
+std::string encoded_svg(const Canvas& canvas) {
+  std::string bytes;
+  const Canvas::Recording target(
+      cairo_svg_surface_create_for_stream(append, &bytes, canvas.width(), canvas.height()));
+  cairo_svg_surface_set_document_unit(target.surface, CAIRO_SVG_UNIT_PX);
+  replay(canvas, target, 1);
+  cairo_surface_finish(target.surface);
+  require_drawn(cairo_surface_status(target.surface));
+  return with_own_numbers(bytes);
+}
+
+std::string encoded_png(const Canvas& canvas) {
+  std::string bytes;
+  const Canvas::Recording target(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, canvas.width(), canvas.height()));
+  replay(canvas, target, 1);
+  require_drawn(cairo_surface_write_to_png_stream(target.surface, append, &bytes));
+  return bytes;
 }
 
 }  // namespace
 
-PixelRect bounds(const Image& image) { return {0, 0, 1.0 * image.width, 1.0 * image.height}; }
-
-void fill_rect(Image& image, const PixelRect& rect, Rgb colour, double alpha) {
-  const PixelBox box = box_of(rect, image);
-  for (int j = box.j0; j < box.j1; ++j) {
-    const double cover_y = std::min(j + 1.0, rect.y1) - std::max(1.0 * j, rect.y0);
-    for (int i = box.i0; i < box.i1; ++i) {
-      const double cover_x = std::min(i + 1.0, rect.x1) - std::max(1.0 * i, rect.x0);
-      blend(image, i, j, colour, std::clamp(cover_x * cover_y * alpha, 0.0, 1.0));
-    }
-  }
+void require_drawn(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw EnvironmentError(fmt::format("cannot draw the picture: {}", cairo_status_to_string(status)));
 }
 
-void draw_frame(Image& image, const PixelRect& r, Rgb colour, double width) {
-  const double h = 0.5 * width;
-  fill_rect(image, {r.x0 - h, r.y0 - h, r.x1 + h, r.y0 + h}, colour);
-  fill_rect(image, {r.x0 - h, r.y1 - h, r.x1 + h, r.y1 + h}, colour);
-  fill_rect(image, {r.x0 - h, r.y0 + h, r.x0 + h, r.y1 - h}, colour);
-  fill_rect(image, {r.x1 - h, r.y0 + h, r.x1 + h, r.y1 - h}, colour);
+Canvas::Canvas(int width, int height, Rgb page) : width_(width), height_(height) {
+  require(width > 0 && height > 0 && width <= 32767 && height <= 32767, "size of a picture in 1..32767");
+  const cairo_rectangle_t extent{0, 0, 1.0 * width, 1.0 * height};
+  recording_ =
+      std::make_unique<Recording>(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &extent));
+  require_drawn(cairo_status(recording_->pen));
+  cairo_set_line_cap(recording_->pen, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(recording_->pen, CAIRO_LINE_JOIN_ROUND);
+  set_colour(recording_->pen, page, 1);
+  cairo_paint(recording_->pen);
 }
 
-void draw_polylines(Image& image, std::span<const Polyline> lines, const Stroke& stroke,
+Canvas::~Canvas() = default;
+Canvas::Canvas(Canvas&&) noexcept = default;
+Canvas& Canvas::operator=(Canvas&&) noexcept = default;
+
+void fill_rect(Canvas& canvas, const PixelRect& r, Rgb colour, double alpha) {
+  const Scope scope(canvas);
+  set_colour(scope.pen, colour, alpha);
+  cairo_rectangle(scope.pen, r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
+  cairo_fill(scope.pen);
+}
+
+void draw_frame(Canvas& canvas, const PixelRect& r, Rgb colour, double width) {
+  const Scope scope(canvas);
+  set_colour(scope.pen, colour, 1);
+  cairo_set_line_width(scope.pen, width);
+  cairo_set_line_join(scope.pen, CAIRO_LINE_JOIN_MITER);
+  cairo_rectangle(scope.pen, r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
+  cairo_stroke(scope.pen);
+}
+
+void draw_polylines(Canvas& canvas, std::span<const Polyline> lines, const Stroke& stroke,
                     const PixelRect& clip) {
-  const double margin = 0.5 * stroke.width + 1.0;
-  const PixelBox box = box_of(extent(lines, margin, clip), image);
-  if (box.empty()) return;
-  Coverage cover(box);
-  const PixelRect visible{box.i0 - margin, box.j0 - margin, box.i1 + margin, box.j1 + margin};
-  for (const auto& line : lines) cover_line(cover, line, stroke, visible);
-  for (int j = box.j0; j < box.j1; ++j)
-    for (int i = box.i0; i < box.i1; ++i)
-      if (const float c = cover.at(i, j); c > 0) blend(image, i, j, stroke.colour, c * stroke.alpha);
+  const Scope scope(canvas);
+  clip_to(scope.pen, clip);
+  const double margin = 1000;  // cuts far outside keep the dashes of what is seen
+  const PixelRect visible{clip.x0 - margin, clip.y0 - margin, clip.x1 + margin, clip.y1 + margin};
+  for (const Polyline& line : lines) add_path(scope.pen, line, visible);
+  set_colour(scope.pen, stroke.colour, stroke.alpha);
+  cairo_set_line_width(scope.pen, stroke.width);
+  if (!stroke.dash.empty())
+    cairo_set_dash(scope.pen, stroke.dash.data(), static_cast<int>(stroke.dash.size()), 0);
+  cairo_stroke(scope.pen);
 }
 
-void draw_polyline(Image& image, const Polyline& line, const Stroke& stroke, const PixelRect& clip) {
-  draw_polylines(image, std::span(&line, 1), stroke, clip);
+void draw_polyline(Canvas& canvas, const Polyline& line, const Stroke& stroke, const PixelRect& clip) {
+  draw_polylines(canvas, std::span(&line, 1), stroke, clip);
 }
 
-void fill_circle(Image& image, Point2 centre, double radius, Rgb colour, const PixelRect& clip) {
-  draw_polyline(image, {centre}, {.colour = colour, .width = 2 * radius}, clip);
+void fill_polygon(Canvas& canvas, const Polyline& corners, Rgb colour) {
+  const Scope scope(canvas);
+  set_colour(scope.pen, colour, 1);
+  for (const Point2& p : corners) cairo_line_to(scope.pen, p.x, p.y);
+  cairo_fill(scope.pen);
+}
+
+void fill_circle(Canvas& canvas, Point2 centre, double radius, Rgb colour, const PixelRect& clip) {
+  const Scope scope(canvas);
+  clip_to(scope.pen, clip);
+  set_colour(scope.pen, colour, 1);
+  cairo_arc(scope.pen, centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
+  cairo_fill(scope.pen);
+}
+
+void draw_image(Canvas& canvas, const Image& image, const PixelRect& place) {
+  const Scope scope(canvas);
+  clip_to(scope.pen, place);
+  cairo_surface_t* pixels = surface_of(image);
+  cairo_translate(scope.pen, place.x0, place.y0);
+  cairo_scale(scope.pen, (place.x1 - place.x0) / image.width, (place.y1 - place.y0) / image.height);
+  cairo_set_source_surface(scope.pen, pixels, 0, 0);
+  cairo_pattern_set_filter(cairo_get_source(scope.pen), CAIRO_FILTER_NEAREST);
+  cairo_paint(scope.pen);
+  cairo_surface_destroy(pixels);  // the recording holds it
+}
+
+Image rendered(const Canvas& canvas) {
+  const Canvas::Recording target(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, canvas.width(), canvas.height()));
+  replay(canvas, target, 1);
+  cairo_surface_flush(target.surface);
+  const unsigned char* data = cairo_image_surface_get_data(target.surface);
+  const int stride = cairo_image_surface_get_stride(target.surface);
+  Image image(canvas.width(), canvas.height());
+  for (int j = 0; j < image.height; ++j) {
+    const auto* row = reinterpret_cast<const std::uint32_t*>(data + static_cast<std::ptrdiff_t>(j) * stride);
+    for (int i = 0; i < image.width; ++i)
+      image.set(i, j,
+                {static_cast<unsigned char>(row[i] >> 16 & 255),
+                 static_cast<unsigned char>(row[i] >> 8 & 255), static_cast<unsigned char>(row[i] & 255)});
+  }
+  return image;
+}
+
+PictureFormat picture_format(const std::filesystem::path& file) {
+  std::string suffix = file.extension().string();
+  std::ranges::transform(suffix, suffix.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (suffix == ".png") return PictureFormat::png;
+  if (suffix == ".svg") return PictureFormat::svg;
+  if (suffix == ".pdf") return PictureFormat::pdf;
+  throw InputError(fmt::format(
+      "error: '{}' names no format of pictures\n   = help: end it in .png, .svg or .pdf", file.string()));
+}
+
+std::string encoded(const Canvas& canvas, PictureFormat format) {
+  switch (format) {
+    case PictureFormat::png:
+      return encoded_png(canvas);
+    case PictureFormat::svg:
+      return encoded_svg(canvas);
+    case PictureFormat::pdf:
+      return encoded_pdf(canvas);
+  }
+  throw InternalError("unknown format of pictures");
+}
+
+void write_picture(const std::filesystem::path& file, const Canvas& canvas) {
+  write_atomically(file, encoded(canvas, picture_format(file)));
 }
 
 }  // namespace recoil

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <span>
 
@@ -94,6 +95,18 @@ Rgb on_screen(const Oklab& c) {
 }
 
 }  // namespace
+
+Rgb curve_colour(std::size_t which) {
+  constexpr Rgb palette[] = {{14, 98, 174},  {212, 64, 52}, {30, 140, 84},   {232, 146, 20}, {118, 72, 160},
+                             {20, 158, 168}, {150, 86, 50}, {220, 110, 160}, {122, 128, 22}};
+  return palette[which % std::size(palette)];
+}
+
+Rgb area_colour(std::size_t which) {
+  const Rgb c = curve_colour(which);
+  const auto paler = [](unsigned char v) { return static_cast<unsigned char>(255 - (255 - v) * 6 / 10); };
+  return {paler(c.r), paler(c.g), paler(c.b)};
+}
 
 std::vector<Rgb> colour_table(ColourMap map, int count) {
   require(count >= 2, "a colour table has two colours or more");

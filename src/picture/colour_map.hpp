@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
-#include "picture/png.hpp"
+#include "picture/image.hpp"
 
 namespace recoil {
 
@@ -14,6 +16,20 @@ enum class ColourMap {
   diverging,   ///< blue, near white in the middle, red: signed fields (stress, velocity component)
   grey         ///< dark to light grey: schlieren
 };
+
+/// One of the few values that a field takes, by name.
+struct Category {
+  double value = 0;
+  std::string name;
+  Rgb colour;
+};
+
+/// Colours of curves, told apart also by people who see few of them: they differ in lightness as well. After
+/// the last the first comes again.
+Rgb curve_colour(std::size_t which);
+
+/// The same, paler, for areas.
+Rgb area_colour(std::size_t which);
 
 /// The map as a table of `count` colours, from the lowest value to the highest; count >= 2.
 std::vector<Rgb> colour_table(ColourMap map, int count);

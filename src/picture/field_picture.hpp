@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "picture/canvas.hpp"
 #include "picture/colour_map.hpp"
 #include "picture/outline.hpp"
-#include "picture/png.hpp"
 
 namespace recoil {
 
@@ -27,16 +27,22 @@ struct FieldPicture {
   std::string label{};                ///< of the colour bar, with unit: "pressure [GPa]"
   ColourMap map = ColourMap::sequential;
   std::optional<std::pair<double, double>> range{};  ///< of the colours; none: of the values
-  bool interpolate = false;                          ///< linear between cell centres; false shows each cell
-  bool mirror = false;  ///< axisymmetric: draw x < 0 as the mirror image of x > 0
+  bool log = false;  ///< logarithmic colours; values at or below 0 take the lowest one
+  std::vector<Category>
+      categories{};          ///< the values that there are, each with its colour; no colour bar then
+  bool interpolate = false;  ///< linear between cell centres; false shows each cell
+  bool mirror = false;       ///< axisymmetric: draw x < 0 as the mirror image of x > 0
   bool equal_aspect = true;
+  bool y_labels = true;  ///< false where the vertical axis means nothing (1-D)
   std::string x_title = "x [mm]", y_title = "y [mm]";
   double x_scale = 1e3, y_scale = 1e3;     ///< from the data's unit to the one in the title
   int max_width = 1200, max_height = 900;  ///< of the whole picture [pixels]
-  std::vector<Outline> references{};       ///< drawn orange, on top: what the outlines are compared with
+  int detail = 1;  ///< samples of the field per pixel and axis in the file; 2 suits SVG and PDF
+  std::vector<Outline> references{};  ///< drawn orange, on top: what the outlines are compared with
 };
 
-/// Draws it. @throws InternalError where values (or level_set) are not nx * ny, or a size is not positive.
-Image field_picture(const FieldPicture& picture);
+/// Draws it. Where values lie beyond the range, that end of the colour bar is pointed. @throws InternalError
+/// where values (or level_set) are not nx * ny, or a size is not positive.
+Canvas field_picture(const FieldPicture& picture);
 
 }  // namespace recoil

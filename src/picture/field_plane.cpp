@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
 
 #include "core/error.hpp"
 #include "picture/raster.hpp"
@@ -40,7 +43,9 @@ Wanted find_wanted(const std::string& name, const RunUnits& units) {
       throw InputError(fmt::format("error: which component of '{}'?\n   = help: one of {}.{}", base, base,
                                    fmt::join(stored_stresses(units), ", " + base + ".")));
     if (part.empty()) {
-      w.component = v.components == 3 ? -1 : 0;
+      const bool vector = v.components == 3, one_axis = units.axes.size() == 1;
+      w.component = vector && !one_axis ? -1 : 0;
+      w.signed_values = v.signed_values || (vector && one_axis);
       return w;
     }
     const auto parts = v.components == 3   ? units.axes
@@ -91,6 +96,37 @@ bool holds_matter(const UnstructuredGrid& grid, const std::vector<double>& phi) 
   return filled > 0.5 * inside;
 }
 
+/// "left + right": the bodies whose bits are set.
+std::string names_of_bits(const std::vector<std::string>& bodies, unsigned bits) {
+  std::vector<std::string> names;
+  for (std::size_t m = 0; m < bodies.size(); ++m)
+    if ((bits >> m & 1U) != 0) names.push_back(bodies[m]);
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, " + "));
+}
+
+/// What the values of a field mean that has only a few; none of other fields.
+std::vector<Category> categories_of(const std::string& name, const FieldPlane& plane) {
+  constexpr Rgb grey{176, 184, 194};
+  std::vector<Category> found;
+  if (name == "body")
+    for (std::size_t m = 0; m < plane.bodies.size(); ++m)
+      found.push_back({static_cast<double>(m), plane.bodies[m], area_colour(m)});
+  if (name == "contact-state")
+    found = {{0, "free", grey},
+             {1, "touching", {30, 140, 84}},
+             {2, "slipping", {232, 146, 20}},
+             {3, "opened", {212, 64, 52}}};
+  if (name == "contact") {
+    std::set<double> values;
+    for (const double v : plane.values.values)
+      if (!std::isnan(v)) values.insert(v);
+    for (const double v : values)
+      found.push_back({v, names_of_bits(plane.bodies, static_cast<unsigned>(v)),
+                       v == 0 ? grey : area_colour(found.size() - (values.contains(0) ? 1 : 0))});
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<ChosenDump> all_dumps(const std::filesystem::path& directory) {
@@ -110,7 +146,12 @@ std::vector<ChosenDump> all_dumps(const std::filesystem::path& directory) {
 
 ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<double> time_s) {
   const std::vector<ChosenDump> dumps = all_dumps(directory);
-  const double wanted = time_s.value_or(dumps.back().time_s);
+  const double last = dumps.back().time_s, wanted = time_s.value_or(last);
+  if (wanted > 1.001 * last)
+    throw InputError(
+        fmt::format("error: {:.6g} us is beyond the end of the run\n   = help: the last fields of '{}' are "
+                    "at {:.6g} us",
+                    wanted * 1e6, directory.string(), last * 1e6));
   return *std::min_element(dumps.begin(), dumps.end(), [&](const auto& p, const auto& q) {
     return std::abs(p.time_s - wanted) < std::abs(q.time_s - wanted);
   });
@@ -132,6 +173,11 @@ FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const Ru
     solid.push_back(holds_matter(dump.grid, phi));
     plane.level_sets.push_back(rasterise(dump.grid, phi, z));
   }
+  if (name == "body")
+    for (double& v : plane.values.values)
+      if (v < 0) v = std::numeric_limits<double>::quiet_NaN();
+  plane.categories = categories_of(name, plane);
+  if (name == "contact-state") plane.label = "contact";
   plane.matter = plane.values;
   // Beyond all cells of the dump nothing is near.
   const double far = 8 * std::max(plane.values.dx, plane.values.dy);

@@ -7,6 +7,7 @@
 
 #include "format/run_units.hpp"
 #include "format/vtkhdf.hpp"
+#include "picture/colour_map.hpp"
 #include "picture/outline.hpp"
 
 namespace recoil {
@@ -21,7 +22,7 @@ struct ChosenDump {
 std::vector<ChosenDump> all_dumps(const std::filesystem::path& directory);
 
 /// The dump nearest to a time [s] (none: the last) among those of `directory`/fields. @throws InputError
-/// where there are none.
+/// where there are none, or the time lies beyond the last one (by more than a thousandth).
 ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<double> time_s);
 
 /// One field in the plane, on even cells: what a picture needs. In 1-d one row of cells.
@@ -31,14 +32,16 @@ struct FieldPlane {
   std::vector<PlaneArray> level_sets;  ///< signed distance to each body [m], NaN far from everything
   PlaneArray
       matter;  ///< the least of those of bodies that hold matter: not of rigid ones; positive elsewhere
-  std::string label;           ///< "pressure [GPa]"
-  bool signed_values = false;  ///< a diverging colour map suits
+  std::string label;                   ///< "pressure [GPa]"
+  bool signed_values = false;          ///< a diverging colour map suits
+  std::vector<Category> categories{};  ///< of a field of few values: what each means, and a colour for it
   double time_s = 0;
 };
 
 /// Takes a field out of a dump. `name` is a variable as cases write it, with a component of vectors and
-/// tensors where one is wanted: "pressure", "velocity" (its magnitude), "velocity.x", "stress.zz"; or "body",
-/// "contact".
+/// tensors where one is wanted: "pressure", "velocity" (its magnitude; in 1-d its one component),
+/// "velocity.x", "stress.zz"; or "body", "contact". "body", "contact" and "contact-state" come with
+/// categories; no body has no value.
 /// @param z the cut through a 3-D grid [m].
 /// @throws InputError for a name that the dump does not hold.
 FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const RunUnits& units, double z = 0);

@@ -18,42 +18,42 @@ TextStyle label_style(HorizontalAnchor h, VerticalAnchor v) {
   return {.size = kPictureStyle.text, .colour = kPictureStyle.ink, .horizontal = h, .vertical = v};
 }
 
-void draw_x_axis(Image& image, const Frame& f) {
+void draw_x_axis(Canvas& canvas, const Frame& f) {
   const Rgb ink = kPictureStyle.ink;
   for (const double v : f.x_ticks.minor) {
     const double x = crisp(f.pixel(v, f.y.lo).x);
-    fill_rect(image, {x - 0.5, f.area.y1, x + 0.5, f.area.y1 + 0.6 * kTickLength}, ink);
+    fill_rect(canvas, {x - 0.5, f.area.y1, x + 0.5, f.area.y1 + 0.6 * kTickLength}, ink);
   }
   double free_from = -1e30;  // labels that would touch the one before are left out
   for (std::size_t k = 0; k < f.x_ticks.at.size(); ++k) {
     const double x = crisp(f.pixel(f.x_ticks.at[k], f.y.lo).x);
-    fill_rect(image, {x - 0.5, f.area.y1, x + 0.5, f.area.y1 + kTickLength}, ink);
+    fill_rect(canvas, {x - 0.5, f.area.y1, x + 0.5, f.area.y1 + kTickLength}, ink);
     const double half = 0.5 * text_width(f.x_ticks.labels[k], kPictureStyle.text);
     if (x - half < free_from) continue;
     free_from = x + half + 10;
-    draw_text(image, {x, f.area.y1 + kTickLength + kGap}, f.x_ticks.labels[k],
+    draw_text(canvas, {x, f.area.y1 + kTickLength + kGap}, f.x_ticks.labels[k],
               label_style(HorizontalAnchor::centre, VerticalAnchor::top));
   }
-  draw_text(image, {0.5 * (f.area.x0 + f.area.x1), f.area.y1 + bottom_margin() - 14},
+  draw_text(canvas, {0.5 * (f.area.x0 + f.area.x1), f.area.y1 + bottom_margin() - 14},
             title_with_exponent(f.x_title, f.x_ticks),
             label_style(HorizontalAnchor::centre, VerticalAnchor::baseline));
 }
 
-void draw_y_axis(Image& image, const Frame& f) {
+void draw_y_axis(Canvas& canvas, const Frame& f) {
   const Rgb ink = kPictureStyle.ink;
   for (const double v : f.y_ticks.minor) {
     const double y = crisp(f.pixel(f.x.lo, v).y);
-    fill_rect(image, {f.area.x0 - 0.6 * kTickLength, y - 0.5, f.area.x0, y + 0.5}, ink);
+    fill_rect(canvas, {f.area.x0 - 0.6 * kTickLength, y - 0.5, f.area.x0, y + 0.5}, ink);
   }
   for (std::size_t k = 0; k < f.y_ticks.at.size(); ++k) {
     const double y = crisp(f.pixel(f.x.lo, f.y_ticks.at[k]).y);
-    fill_rect(image, {f.area.x0 - kTickLength, y - 0.5, f.area.x0, y + 0.5}, ink);
-    draw_text(image, {f.area.x0 - kTickLength - kGap, y}, f.y_ticks.labels[k],
+    fill_rect(canvas, {f.area.x0 - kTickLength, y - 0.5, f.area.x0, y + 0.5}, ink);
+    draw_text(canvas, {f.area.x0 - kTickLength - kGap, y}, f.y_ticks.labels[k],
               label_style(HorizontalAnchor::right, VerticalAnchor::middle));
   }
   TextStyle style = label_style(HorizontalAnchor::centre, VerticalAnchor::top);
   style.upwards = true;
-  draw_text(image, {f.area.x0 - left_margin(f.y_ticks) + 14, 0.5 * (f.area.y0 + f.area.y1)},
+  draw_text(canvas, {f.area.x0 - left_margin(f.y_ticks) + 14, 0.5 * (f.area.y0 + f.area.y1)},
             title_with_exponent(f.y_title, f.y_ticks), style);
 }
 
@@ -64,22 +64,22 @@ Point2 Frame::pixel(double x_value, double y_value) const {
           area.y1 - y.fraction(y_value) * (area.y1 - area.y0)};
 }
 
-void draw_grid(Image& image, const Frame& f) {
+void draw_grid(Canvas& canvas, const Frame& f) {
   for (const double v : f.x_ticks.at) {
     const double x = crisp(f.pixel(v, f.y.lo).x);
-    fill_rect(image, {x - 0.5, f.area.y0, x + 0.5, f.area.y1}, kPictureStyle.grid);
+    fill_rect(canvas, {x - 0.5, f.area.y0, x + 0.5, f.area.y1}, kPictureStyle.grid);
   }
   for (const double v : f.y_ticks.at) {
     const double y = crisp(f.pixel(f.x.lo, v).y);
-    fill_rect(image, {f.area.x0, y - 0.5, f.area.x1, y + 0.5}, kPictureStyle.grid);
+    fill_rect(canvas, {f.area.x0, y - 0.5, f.area.x1, y + 0.5}, kPictureStyle.grid);
   }
 }
 
-void draw_axes(Image& image, const Frame& f) {
+void draw_axes(Canvas& canvas, const Frame& f) {
   const PixelRect edge{crisp(f.area.x0), crisp(f.area.y0), crisp(f.area.x1), crisp(f.area.y1)};
-  draw_frame(image, edge, kPictureStyle.ink, 1.0);
-  draw_x_axis(image, f);
-  draw_y_axis(image, f);
+  draw_frame(canvas, edge, kPictureStyle.ink, 1.0);
+  draw_x_axis(canvas, f);
+  draw_y_axis(canvas, f);
 }
 
 double left_margin(const Ticks& y_ticks) {
@@ -90,14 +90,14 @@ double left_margin(const Ticks& y_ticks) {
 
 double bottom_margin() { return std::ceil(kTickLength + kGap + 2.5 * kPictureStyle.text + 10); }
 
-void draw_heading(Image& image, const PixelRect& area, const std::string& title, const std::string& note) {
+void draw_heading(Canvas& canvas, const PixelRect& area, const std::string& title, const std::string& note) {
   const double y = area.y0 - 18;
-  const double note_size = kPictureStyle.text + 1;
+  const double note_size = kPictureStyle.text;
   const double room = area.x1 - area.x0 - (note.empty() ? 0 : text_width(note, note_size) + 24);
   double size = kPictureStyle.title;  // a long title becomes smaller before it leaves the picture
-  size = std::max(12.0, std::min(size, size * room / std::max(1.0, text_width(title, size))));
-  draw_text(image, {area.x0, y}, title, {.size = size, .colour = kPictureStyle.ink, .bold = true});
-  draw_text(image, {area.x1, y}, note,
+  size = std::max(12.0, std::min(size, size * room / std::max(1.0, text_width(title, size, true))));
+  draw_text(canvas, {area.x0, y}, title, {.size = size, .colour = kPictureStyle.ink, .bold = true});
+  draw_text(canvas, {area.x1, y}, note,
             {.size = note_size, .colour = kPictureStyle.soft_ink, .horizontal = HorizontalAnchor::right});
 }
 

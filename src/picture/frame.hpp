@@ -14,8 +14,8 @@ struct PictureStyle {
   Rgb soft_ink{96, 100, 108};  ///< second-rank text
   Rgb grid{228, 231, 235};
   Rgb void_space{236, 239, 243};  ///< where there is no matter
-  double text = 20;               ///< em of labels [pixels]
-  double title = 25;
+  double text = 18;               ///< em of labels [pixels]
+  double title = 21;
 };
 inline constexpr PictureStyle kPictureStyle{};
 
@@ -31,10 +31,10 @@ struct Frame {
 };
 
 /// Light lines at the marks, drawn before the data.
-void draw_grid(Image& image, const Frame& frame);
+void draw_grid(Canvas& canvas, const Frame& frame);
 
 /// Edge, marks, labels and titles, drawn after the data.
-void draw_axes(Image& image, const Frame& frame);
+void draw_axes(Canvas& canvas, const Frame& frame);
 
 /// Room that labels and title of the vertical axis take on the left [pixels].
 double left_margin(const Ticks& y_ticks);
@@ -43,6 +43,6 @@ double left_margin(const Ticks& y_ticks);
 double bottom_margin();
 
 /// The heading: `title` bold on the left, `note` (the time, say) on the right, above `area`.
-void draw_heading(Image& image, const PixelRect& area, const std::string& title, const std::string& note);
+void draw_heading(Canvas& canvas, const PixelRect& area, const std::string& title, const std::string& note);
 
 }  // namespace recoil

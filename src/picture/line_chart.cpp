@@ -3,25 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 
 #include "core/error.hpp"
+#include "picture/colour_map.hpp"
 #include "picture/frame.hpp"
 #include "picture/text.hpp"
 
 namespace recoil {
 namespace {
 
-/// Told apart also by people who see few colours: they differ in lightness as well.
-constexpr Rgb kPalette[] = {{14, 98, 174},  {212, 64, 52},  {30, 140, 84}, {232, 146, 20},
-                            {118, 72, 160}, {20, 158, 168}, {150, 86, 50}, {220, 110, 160}};
-
 Rgb colour_of(const LineChart& chart, std::size_t which) {
   if (chart.series[which].style.colour) return *chart.series[which].style.colour;
   std::size_t place = 0;  // styled series use up no colour of the palette
   for (std::size_t k = 0; k < which; ++k)
     if (!chart.series[k].style.colour) ++place;
-  return kPalette[place % std::size(kPalette)];
+  return curve_colour(place);
 }
 
 Stroke stroke_of(const SeriesStyle& style, Rgb colour) {
@@ -62,24 +58,29 @@ Frame frame_of(const LineChart& chart) {
   return frame;
 }
 
+/// The points of the curve in the picture, without those that nobody could tell from the one before.
 Polyline pixels_of(const Frame& frame, const Series& series) {
+  constexpr double nearest = 0.2;  // pixels
   Polyline line;
-  line.reserve(series.x.size());
-  for (std::size_t k = 0; k < series.x.size(); ++k) line.push_back(frame.pixel(series.x[k], series.y[k]));
+  for (std::size_t k = 0; k < series.x.size(); ++k) {
+    const Point2 p = frame.pixel(series.x[k], series.y[k]);
+    const bool last = k + 1 == series.x.size();
+    if (!last && !line.empty() && std::hypot(p.x - line.back().x, p.y - line.back().y) < nearest) continue;
+    line.push_back(p);
+  }
   return line;
 }
 
-void draw_series(Image& image, const Frame& frame, const Series& series, Rgb colour) {
-  const Polyline line = pixels_of(frame, series);
-  const double margin = 0.5 * series.style.width;
+void draw_series(Canvas& canvas, const Frame& frame, const Polyline& line, const SeriesStyle& style,
+                 Rgb colour) {
+  const double margin = 0.5 * style.width;
   const PixelRect clip{frame.area.x0, frame.area.y0 - margin, frame.area.x1, frame.area.y1 + margin};
-  if (series.style.pattern != LinePattern::none)
-    draw_polyline(image, line, stroke_of(series.style, colour), clip);
-  if (!series.style.markers) return;
+  if (style.pattern != LinePattern::none) draw_polyline(canvas, line, stroke_of(style, colour), clip);
+  if (!style.markers) return;
   for (const Point2& p : line) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
-    fill_circle(image, p, 2.2 * series.style.width + 1.5, kPictureStyle.page, frame.area);
-    fill_circle(image, p, 2.2 * series.style.width, colour, frame.area);
+    fill_circle(canvas, p, 2.2 * style.width + 1.5, kPictureStyle.page, frame.area);
+    fill_circle(canvas, p, 2.2 * style.width, colour, frame.area);
   }
 }
 
@@ -101,19 +102,20 @@ double curve_inside(const std::vector<Polyline>& lines, const PixelRect& r) {
   return inside;
 }
 
-void draw_guide_lines(Image& image, const LineChart& chart, const Frame& f) {
+void draw_guide_lines(Canvas& canvas, const LineChart& chart, const Frame& f) {
   const Stroke stroke{.colour = kPictureStyle.soft_ink, .width = 1.4, .dash = {3, 4}};
   for (const auto& guide : chart.guides) {
     const Point2 at = guide.vertical ? f.pixel(guide.at, f.y.lo) : f.pixel(f.x.lo, guide.at);
     const Polyline line = guide.vertical ? Polyline{{at.x, f.area.y0}, {at.x, f.area.y1}}
                                          : Polyline{{f.area.x0, at.y}, {f.area.x1, at.y}};
-    draw_polyline(image, line, stroke, f.area);
+    draw_polyline(canvas, line, stroke, f.area);
   }
 }
 
 /// Writes beside each guide, at that end and on that side of it where the curves leave most room.
-void label_guides(Image& image, const LineChart& chart, const Frame& f, const std::vector<Polyline>& lines) {
-  constexpr double kSize = 17, kHeight = 0.7 * kSize, kOff = 7;
+void label_guides(Canvas& canvas, const LineChart& chart, const Frame& f,
+                  const std::vector<Polyline>& lines) {
+  constexpr double kSize = 16, kHeight = 0.7 * kSize, kOff = 7;
   for (const auto& guide : chart.guides) {
     const double width = text_width(guide.label, kSize);
     const Point2 at = guide.vertical ? f.pixel(guide.at, f.y.lo) : f.pixel(f.x.lo, guide.at);
@@ -135,14 +137,15 @@ void label_guides(Image& image, const LineChart& chart, const Frame& f, const st
         if (hidden < least) least = hidden, best = r;
       }
     const Point2 start = guide.vertical ? Point2{best.x1, best.y1} : Point2{best.x0, best.y1};
-    draw_text(image, start, guide.label,
+    draw_text(canvas, start, guide.label,
               {.size = kSize, .colour = kPictureStyle.soft_ink, .upwards = guide.vertical});
   }
 }
 
-constexpr double kLegendRow = 30, kLegendSample = 44;
+constexpr double kLegendRow = 28, kLegendSample = 42, kLegendGap = 14;
 
-PixelRect legend_place(const LineChart& chart, const Frame& f, const std::vector<Polyline>& lines) {
+/// Size of the legend; 0 where no curve has a name.
+Point2 legend_size(const LineChart& chart) {
   double text = 0, rows = 0;
   for (const auto& s : chart.series) {
     if (s.label.empty()) continue;
@@ -150,25 +153,32 @@ PixelRect legend_place(const LineChart& chart, const Frame& f, const std::vector
     rows += 1;
   }
   if (rows == 0) return {};
-  const double w = 14 + kLegendSample + 12 + text + 16, h = rows * kLegendRow + 12, gap = 16;
+  return {std::ceil(14 + kLegendSample + 12 + text + 16), rows * kLegendRow + 12};
+}
+
+/// Where the legend hides least: in a corner if it can, else at another place of the plot.
+PixelRect legend_place(Point2 size, const Frame& f, const std::vector<Polyline>& lines, double& least) {
   const PixelRect a = f.area;
-  const double xs[] = {a.x1 - gap - w, a.x0 + gap, 0.5 * (a.x0 + a.x1 - w)};
-  const double ys[] = {a.y0 + gap, a.y1 - gap - h, 0.5 * (a.y0 + a.y1 - h)};
+  const double left = a.x0 + kLegendGap, top = a.y0 + kLegendGap;
+  const double room_x = a.x1 - a.x0 - 2 * kLegendGap - size.x, room_y = a.y1 - a.y0 - 2 * kLegendGap - size.y;
   PixelRect best{};
-  double least = 1e300;
-  for (const double y : ys)
-    for (const double x : xs) {
-      const PixelRect r{std::floor(x), std::floor(y), std::floor(x + w), std::floor(y + h)};
-      const double hidden = curve_inside(lines, {r.x0 - 6, r.y0 - 6, r.x1 + 6, r.y1 + 6});
+  least = 1e300;
+  const double shares[] = {1, 0, 0.5, 0.25, 0.75};
+  for (const double v : {0.0, 1.0, 0.5, 0.25, 0.75})
+    for (const double u : shares) {
+      const double x = std::floor(left + u * room_x), y = std::floor(top + v * room_y);
+      const PixelRect r{x, y, x + size.x, y + size.y};
+      const double hidden = curve_inside(lines, {r.x0 - 8, r.y0 - 8, r.x1 + 8, r.y1 + 8});
       if (hidden < least) least = hidden, best = r;
     }
+  if (room_x < 0 || room_y < 0) least = 1e300;
   return best;
 }
 
-void draw_legend(Image& image, const LineChart& chart, const PixelRect& box) {
+void draw_legend(Canvas& canvas, const LineChart& chart, const PixelRect& box) {
   if (box.x1 <= box.x0) return;
-  fill_rect(image, box, kPictureStyle.page, 0.88);
-  draw_frame(image, {box.x0 + 0.5, box.y0 + 0.5, box.x1 - 0.5, box.y1 - 0.5}, {200, 204, 210});
+  fill_rect(canvas, box, kPictureStyle.page, 0.88);
+  draw_frame(canvas, {box.x0 + 0.5, box.y0 + 0.5, box.x1 - 0.5, box.y1 - 0.5}, {200, 204, 210});
   double y = box.y0 + 6 + 0.5 * kLegendRow;
   for (std::size_t k = 0; k < chart.series.size(); ++k) {
     const auto& s = chart.series[k];
@@ -176,10 +186,10 @@ void draw_legend(Image& image, const LineChart& chart, const PixelRect& box) {
     const Rgb colour = colour_of(chart, k);
     const double x = box.x0 + 14;
     if (s.style.pattern != LinePattern::none)
-      draw_polyline(image, {{x, y}, {x + kLegendSample, y}}, stroke_of(s.style, colour), box);
-    if (s.style.markers) fill_circle(image, {x + 0.5 * kLegendSample, y}, 2.2 * s.style.width, colour, box);
+      draw_polyline(canvas, {{x, y}, {x + kLegendSample, y}}, stroke_of(s.style, colour), box);
+    if (s.style.markers) fill_circle(canvas, {x + 0.5 * kLegendSample, y}, 2.2 * s.style.width, colour, box);
     draw_text(
-        image, {x + kLegendSample + 12, y}, s.label,
+        canvas, {x + kLegendSample + 12, y}, s.label,
         {.size = kPictureStyle.text - 1, .colour = kPictureStyle.ink, .vertical = VerticalAnchor::middle});
     y += kLegendRow;
   }
@@ -187,22 +197,35 @@ void draw_legend(Image& image, const LineChart& chart, const PixelRect& box) {
 
 }  // namespace
 
-Image line_chart(const LineChart& chart) {
+Canvas line_chart(const LineChart& chart) {
   for (const auto& s : chart.series) require(s.x.size() == s.y.size(), "x and y of a series have one size");
-  Image image = make_image(chart.width, chart.height, kPictureStyle.page);
-  const Frame frame = frame_of(chart);
-  draw_grid(image, frame);
-  draw_guide_lines(image, chart, frame);
-  std::vector<Polyline> lines;
-  for (std::size_t k = 0; k < chart.series.size(); ++k) {
-    draw_series(image, frame, chart.series[k], colour_of(chart, k));
-    lines.push_back(pixels_of(frame, chart.series[k]));
+  Canvas canvas(chart.width, chart.height, kPictureStyle.page);
+  Frame frame = frame_of(chart);
+  const auto curves = [&] {
+    std::vector<Polyline> lines;
+    for (const Series& series : chart.series) lines.push_back(pixels_of(frame, series));
+    return lines;
+  };
+  std::vector<Polyline> lines = curves();
+  const Point2 size = legend_size(chart);
+  double hidden = 0;
+  PixelRect legend{};
+  if (size.x > 0) legend = legend_place(size, frame, lines, hidden);
+  if (size.x > 0 && hidden > 0 && size.x < 0.4 * chart.width) {  // no place in the plot: beside it
+    frame.area.x1 -= size.x + kLegendGap;
+    lines = curves();
+    const double x = frame.area.x1 + kLegendGap + 12;
+    legend = {x, frame.area.y0, x + size.x, frame.area.y0 + size.y};
   }
-  label_guides(image, chart, frame, lines);
-  draw_axes(image, frame);
-  draw_legend(image, chart, legend_place(chart, frame, lines));
-  draw_heading(image, frame.area, chart.title, chart.note);
-  return image;
+  draw_grid(canvas, frame);
+  draw_guide_lines(canvas, chart, frame);
+  for (std::size_t k = 0; k < chart.series.size(); ++k)
+    draw_series(canvas, frame, lines[k], chart.series[k].style, colour_of(chart, k));
+  label_guides(canvas, chart, frame, lines);
+  draw_axes(canvas, frame);
+  draw_legend(canvas, chart, legend);
+  draw_heading(canvas, frame.area, chart.title, chart.note);
+  return canvas;
 }
 
 }  // namespace recoil

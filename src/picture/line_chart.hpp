@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "picture/png.hpp"
+#include "picture/canvas.hpp"
 
 namespace recoil {
 
@@ -14,14 +14,14 @@ enum class LinePattern { solid, dashed, dotted, none };
 /// How a series is drawn; without a colour it gets its own from the palette.
 struct SeriesStyle {
   std::optional<Rgb> colour{};
-  double width = 2.6;  ///< pixels
+  double width = 2.4;  ///< pixels
   LinePattern pattern = LinePattern::solid;
   bool markers = false;  ///< a dot at each point
 };
 
 /// The style of a predicted or measured curve that ours is compared with.
 inline constexpr SeriesStyle kReferenceStyle{
-    .colour = Rgb{58, 62, 70}, .width = 2.2, .pattern = LinePattern::dashed};
+    .colour = Rgb{58, 62, 70}, .width = 2.0, .pattern = LinePattern::dashed};
 
 /// One curve. x and y have the same size; the curve breaks at NaN.
 struct Series {
@@ -48,7 +48,8 @@ struct LineChart {
   int width = 1200, height = 800;
 };
 
-/// Draws the chart. @throws InternalError where x and y of a series differ in size.
-Image line_chart(const LineChart& chart);
+/// Draws the chart. The legend stands where it hides no curve, beside the plot if need be. @throws
+/// InternalError where x and y of a series differ in size.
+Canvas line_chart(const LineChart& chart);
 
 }  // namespace recoil

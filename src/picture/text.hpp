@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "picture/canvas.hpp"
@@ -10,9 +9,12 @@ namespace recoil {
 enum class HorizontalAnchor { left, centre, right };
 enum class VerticalAnchor { baseline, middle, top };  ///< middle and top of a capital letter
 
-/// How a text is drawn; size is the em [pixels], capitals are 0.7 of it.
+/// Height of a capital letter of DejaVu Sans [em].
+inline constexpr double kCapitalHeight = 0.729;
+
+/// How a text is drawn, in DejaVu Sans; size is the em [pixels].
 struct TextStyle {
-  double size = 20;
+  double size = 18;
   Rgb colour{32, 34, 38};
   HorizontalAnchor horizontal = HorizontalAnchor::left;
   VerticalAnchor vertical = VerticalAnchor::baseline;
@@ -21,9 +23,10 @@ struct TextStyle {
 };
 
 /// Draws one line of UTF-8 text with its anchor at `at`. `^{...}` raises and shrinks what is in braces.
-void draw_text(Image& image, Point2 at, std::string_view text, const TextStyle& style);
+/// Broken bytes are drawn as U+FFFD.
+void draw_text(Canvas& canvas, Point2 at, std::string_view text, const TextStyle& style);
 
 /// Width of that text [pixels].
-double text_width(std::string_view text, double size);
+double text_width(std::string_view text, double size, bool bold = false);
 
 }  // namespace recoil

@@ -1,6 +1,7 @@
 #include "picture/axis.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <string>
@@ -55,6 +56,49 @@ TEST(Axis, OneValueOrNoneStillMakesAnAxis) {
   Range zero;
   zero.include(0);
   EXPECT_LT(axis_around(zero, 0).lo, axis_around(zero, 0).hi);
+}
+
+TEST(Axis, UnitsAreWrittenForPeople) {
+  EXPECT_EQ(with_unit_symbols("time [us]"), "time [µs]");
+  EXPECT_EQ(with_unit_symbols("mass [kg/m2]"), "mass [kg/m^{2}]");
+  EXPECT_EQ(with_unit_symbols("a [m/s^2]"), "a [m/s^{2}]");
+  EXPECT_EQ(with_unit_symbols("rate [s-1]"), "rate [s^{\u22121}]");
+  EXPECT_EQ(with_unit_symbols("impulse [kg/(m s)]"), "impulse [kg/(m s)]");
+  EXPECT_EQ(with_unit_symbols("friction [1]"), "friction");
+  EXPECT_EQ(with_unit_symbols("[1]"), "");
+  EXPECT_EQ(with_unit_symbols("m2 of it"), "m2 of it");
+}
+
+TEST(Axis, ShortLogarithmicAxesHaveEvenMarks) {
+  const Ticks ticks = nice_ticks({3.1, 4.4, true}, 5);
+  ASSERT_GE(ticks.at.size(), 3U);
+  for (const double v : ticks.at) EXPECT_TRUE(v >= 3.1 && v <= 4.4);
+}
+
+RC_GTEST_PROP(AxisOfAnyStretch, MarksRiseWithinItAndAreFew, ()) {
+  const double lo = *rc::gen::map(rc::gen::inRange(-1000000, 1000000), [](int n) { return n * 1e-3; });
+  const int decades = *rc::gen::inRange(-9, 9), wanted = *rc::gen::inRange(1, 12);
+  const double size = *rc::gen::inRange(1, 1000) * 0.01 * std::pow(10.0, decades);
+  const AxisScale scale{lo, lo + std::max(size, 1e-9 * std::abs(lo)), false};
+  const Ticks ticks = nice_ticks(scale, wanted);
+  const double slack = 1e-6 * (scale.hi - scale.lo);
+  RC_ASSERT(ticks.labels.size() == ticks.at.size());
+  RC_ASSERT(ticks.at.size() <= 3U * static_cast<unsigned>(wanted) + 2);
+  for (std::size_t k = 0; k < ticks.at.size(); ++k) {
+    RC_ASSERT(ticks.at[k] >= scale.lo - slack && ticks.at[k] <= scale.hi + slack);
+    if (k > 0) RC_ASSERT(ticks.at[k] > ticks.at[k - 1]);
+  }
+}
+
+RC_GTEST_PROP(AxisOfAnyStretch, LogarithmicMarksRiseWithinIt, ()) {
+  const double lo = std::pow(10.0, *rc::gen::inRange(-200, 200) * 0.1);
+  const AxisScale scale{lo, lo * std::pow(10.0, *rc::gen::inRange(1, 300) * 0.05), true};
+  const Ticks ticks = nice_ticks(scale, *rc::gen::inRange(1, 12));
+  RC_ASSERT(ticks.labels.size() == ticks.at.size());
+  for (std::size_t k = 0; k < ticks.at.size(); ++k) {
+    RC_ASSERT(scale.fraction(ticks.at[k]) >= -1e-6 && scale.fraction(ticks.at[k]) <= 1 + 1e-6);
+    if (k > 0) RC_ASSERT(ticks.at[k] > ticks.at[k - 1]);
+  }
 }
 
 }  // namespace

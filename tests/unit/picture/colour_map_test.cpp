@@ -57,5 +57,16 @@ TEST(ColourMap, ValuesOutsideTakeTheEnds) {
   EXPECT_EQ(colour_at(table, 7), table.back());
 }
 
+TEST(ColourMap, CurvesDifferFromEachOtherAndFromTheirAreas) {
+  for (std::size_t a = 0; a < 9; ++a) {
+    EXPECT_GT(lightness(area_colour(a)), lightness(curve_colour(a)) + 10);
+    for (std::size_t b = 0; b < a; ++b) {
+      const Rgb p = curve_colour(a), q = curve_colour(b);
+      EXPECT_GT(std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b), 60) << a << " " << b;
+    }
+  }
+  EXPECT_EQ(curve_colour(9), curve_colour(0));
+}
+
 }  // namespace
 }  // namespace recoil

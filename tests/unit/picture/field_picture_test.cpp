@@ -56,7 +56,7 @@ PixelRect extent(const Image& image) {
 TEST(FieldPicture, DiscIsRoundAndTheRestIsVoid) {
   for (const bool tall : {false, true}) {
     FieldPicture p = tall ? disc(80, 160, 4, 8) : disc(120, 80, 6, 4);
-    const Image image = field_picture(p);
+    const Image image = rendered(field_picture(p));
     const PixelRect r = extent(image);
     EXPECT_NEAR((r.x1 - r.x0) / (r.y1 - r.y0), 1, 0.02);
     EXPECT_GT(count(image, kPictureStyle.void_space), 20000);
@@ -74,7 +74,7 @@ TEST(FieldPicture, LevelSetGivesTheAreaBetterThanCells) {
       p.level_set.push_back(phi);
       p.values.push_back(phi < 0 ? 1.0 : std::numeric_limits<double>::quiet_NaN());
     }
-  const Image image = field_picture(p);
+  const Image image = rendered(field_picture(p));
   const PixelRect r = extent(image);
   int inside = 0;
   for (int j = static_cast<int>(r.y0); j < static_cast<int>(r.y1); ++j)
@@ -87,7 +87,7 @@ TEST(FieldPicture, LevelSetGivesTheAreaBetterThanCells) {
 TEST(FieldPicture, MirrorShowsBothHalves) {
   FieldPicture p = disc(80, 80, 0, 4);
   p.mirror = true;
-  const PixelRect r = extent(field_picture(p));
+  const PixelRect r = extent(rendered(field_picture(p)));
   EXPECT_NEAR((r.x1 - r.x0) / (r.y1 - r.y0), 1, 0.02);
 }
 
@@ -95,7 +95,7 @@ TEST(FieldPicture, CellsLieWhereTheyShould) {
   FieldPicture p;
   p.nx = p.ny = 2, p.dx = p.dy = 1;
   p.values = {0, 1, 2, 3};  // lower left, lower right, upper left, upper right
-  const Image image = field_picture(p);
+  const Image image = rendered(field_picture(p));
   const auto table = colour_table(ColourMap::sequential, 1024);
   const int x0 = 120, x1 = 700, low = image.height - 200, high = 200;
   EXPECT_TRUE(near(image.at(x0, low), colour_at(table, 0)));
@@ -109,7 +109,7 @@ TEST(FieldPicture, ZeroIsPaleInSignedFields) {
   p.nx = 3, p.ny = 1, p.dx = p.dy = 1;
   p.map = ColourMap::diverging;
   p.values = {-1, 0, 4};
-  const Image image = field_picture(p);
+  const Image image = rendered(field_picture(p));
   const Rgb pale = colour_at(colour_table(ColourMap::diverging, 1024), 0.5);
   EXPECT_TRUE(near(image.at(image.width / 2, 150), pale));
 }
@@ -117,9 +117,9 @@ TEST(FieldPicture, ZeroIsPaleInSignedFields) {
 TEST(FieldPicture, OutlinesAreDark) {
   FieldPicture p = disc(80, 80, 4, 4);
   const Rgb dark{24, 26, 30};
-  const int before = count(field_picture(p), dark);
+  const int before = count(rendered(field_picture(p)), dark);
   p.outlines = zero_outlines({p.nx, p.ny, p.x0, p.y0, p.dx, p.dy, p.level_set});
-  EXPECT_GT(count(field_picture(p), dark), before + 500);
+  EXPECT_GT(count(rendered(field_picture(p)), dark), before + 500);
 }
 
 TEST(FieldPicture, TimeDiagramFillsThePicture) {
@@ -128,16 +128,60 @@ TEST(FieldPicture, TimeDiagramFillsThePicture) {
   p.values.assign(10000, 1.0);
   p.equal_aspect = false;
   p.y_scale = 1e6;
-  const Image image = field_picture(p);
+  const Image image = rendered(field_picture(p));
   EXPECT_NEAR(image.width, p.max_width, 40);
   EXPECT_NEAR(image.height, p.max_height, 40);
+}
+
+TEST(FieldPicture, CategoriesHaveTheirColoursAndNames) {
+  FieldPicture p;
+  p.nx = 2, p.ny = 1, p.dx = p.dy = 1;
+  p.values = {3, 7};
+  const Rgb red{200, 30, 30}, green{30, 160, 60}, blue{30, 30, 200};
+  p.categories = {{3, "flyer", red}, {7, "target", green}, {9, "anvil", blue}};
+  const Image image = rendered(field_picture(p));
+  EXPECT_GT(count(image, red), 10000);
+  EXPECT_GT(count(image, green), 10000);
+  EXPECT_NEAR(count(image, blue), 18 * 18, 60) << "only in the legend";
+}
+
+TEST(FieldPicture, ValuesBeyondTheRangePointTheBar) {
+  FieldPicture p;
+  p.nx = 2, p.ny = 2, p.dx = p.dy = 1;
+  p.values = {0, 1, 2, 3};
+  p.range = {{0.0, 3.0}};
+  const auto top_of_the_bar = [&] {  // pixels of its yellow
+    const Image image = rendered(field_picture(p));
+    int n = 0;
+    for (int i = image.width - 120; i < image.width; ++i)
+      n += image.at(i, 28).r > 200 && image.at(i, 28).b < 160;
+    return n;
+  };
+  const int whole = top_of_the_bar();
+  EXPECT_GT(whole, 15);
+  p.range = {{0.0, 2.5}};
+  const int tip = top_of_the_bar();
+  EXPECT_GT(tip, 0);
+  EXPECT_LT(tip, whole / 2);
+}
+
+TEST(FieldPicture, LogarithmicColoursAreEvenInDecades) {
+  FieldPicture p;
+  p.nx = 3, p.ny = 1, p.dx = p.dy = 1;
+  p.values = {1, 10, 100};
+  p.log = true;
+  const Image image = rendered(field_picture(p));
+  const Rgb middle = colour_at(colour_table(ColourMap::sequential, 1024), 0.5);
+  EXPECT_TRUE(near(image.at(image.width / 2, 150), middle));
+  p.values = {-1, 0, 0};
+  EXPECT_EQ(field_picture(p).width(), image.width) << "nothing positive still makes a picture";
 }
 
 TEST(FieldPicture, EmptyFieldsAndWrongSizes) {
   FieldPicture p;
   p.nx = p.ny = 4, p.dx = p.dy = 1;
   p.values.assign(16, std::numeric_limits<double>::quiet_NaN());
-  EXPECT_GT(count(field_picture(p), kPictureStyle.void_space), 1000);
+  EXPECT_GT(count(rendered(field_picture(p)), kPictureStyle.void_space), 1000);
   p.values.pop_back();
   EXPECT_THROW(field_picture(p), InternalError);
 }

@@ -36,7 +36,7 @@ LineChart rising() {
 }
 
 TEST(LineChart, CurveRunsFromLowerLeftToUpperRight) {
-  const Image image = line_chart(rising());
+  const Image image = rendered(line_chart(rising()));
   ASSERT_EQ(image.width, 1200);
   ASSERT_EQ(image.height, 800);
   EXPECT_GT(count(image, kMagenta, 0, 400, 600, 800), 300);
@@ -46,7 +46,7 @@ TEST(LineChart, CurveRunsFromLowerLeftToUpperRight) {
 }
 
 TEST(LineChart, MarginsAreWhiteButForText) {
-  const Image image = line_chart(rising());
+  const Image image = rendered(line_chart(rising()));
   const Rgb white{255, 255, 255};
   EXPECT_EQ(count(image, white, 0, 0, 1200, 8), 1200 * 8);
   EXPECT_EQ(count(image, white, 0, 0, 10, 800), 10 * 800);
@@ -60,24 +60,36 @@ TEST(LineChart, TitlesAndLegendAreDrawn) {
   LineChart named = rising();
   named.series[0].label = "recoil";
   const Rgb ink{32, 34, 38};
-  const int without = count(line_chart(bare), ink), with = count(line_chart(rising()), ink);
+  const int without = count(rendered(line_chart(bare)), ink),
+            with = count(rendered(line_chart(rising())), ink);
   EXPECT_GT(with, without + 200);
-  EXPECT_GT(count(line_chart(named), ink), with + 20);
-  EXPECT_GT(count(line_chart(named), kMagenta), count(line_chart(rising()), kMagenta) + 50);
+  EXPECT_GT(count(rendered(line_chart(named)), ink), with + 20);
+  EXPECT_GT(count(rendered(line_chart(named)), kMagenta),
+            count(rendered(line_chart(rising())), kMagenta) + 50);
 }
 
 TEST(LineChart, LegendHidesNoCurveWhereThereIsRoom) {
   LineChart chart = rising();
-  const int before = count(line_chart(chart), kMagenta);
+  const int before = count(rendered(line_chart(chart)), kMagenta);
   chart.series.push_back({"another curve with a long name", {}, {}, {}});
-  EXPECT_EQ(count(line_chart(chart), kMagenta), before);
+  EXPECT_EQ(count(rendered(line_chart(chart)), kMagenta), before);
+}
+
+TEST(LineChart, LegendStandsBesideAPlotThatIsFull) {
+  LineChart chart = rising();
+  chart.series.clear();
+  for (int k = 0; k < 40; ++k)  // no gap anywhere
+    chart.series.push_back({k == 0 ? "wave" : "", {0, 1}, {1.0 * k, 1.0 * k}, {.colour = kMagenta}});
+  const Image image = rendered(line_chart(chart));
+  EXPECT_EQ(count(image, kMagenta, 1060, 140, 1200, 800), 0) << "the plot ends before the legend";
+  EXPECT_GT(count(image, kMagenta, 1060, 0, 1200, 140), 20) << "the sample in the legend";
 }
 
 TEST(LineChart, DashedReferenceHasGaps) {
   LineChart chart = rising();
-  const int solid = count(line_chart(chart), kMagenta);
+  const int solid = count(rendered(line_chart(chart)), kMagenta);
   chart.series[0].style.pattern = LinePattern::dashed;
-  const int dashed = count(line_chart(chart), kMagenta);
+  const int dashed = count(rendered(line_chart(chart)), kMagenta);
   EXPECT_GT(dashed, solid / 3);
   EXPECT_LT(dashed, 4 * solid / 5);
 }
@@ -85,7 +97,7 @@ TEST(LineChart, DashedReferenceHasGaps) {
 TEST(LineChart, RangeAndGuidesAreObeyed) {
   LineChart chart = rising();
   chart.x_range = {0.0, 20.0};
-  EXPECT_EQ(count(line_chart(chart), kMagenta, 400, 0, 1200, 800), 0)
+  EXPECT_EQ(count(rendered(line_chart(chart)), kMagenta, 400, 0, 1200, 800), 0)
       << "the curve ends at a tenth of the width";
   const auto dark = [](const Image& image) {  // of the part of the plot where the curve is not
     int n = 0;
@@ -93,24 +105,24 @@ TEST(LineChart, RangeAndGuidesAreObeyed) {
       for (int i = 400; i < 1150; ++i) n += image.at(i, j).r < 190;
     return n;
   };
-  EXPECT_EQ(dark(line_chart(chart)), 0);
+  EXPECT_EQ(dark(rendered(line_chart(chart))), 0);
   chart.guides = {{10, "arrival", true}};
-  const int one = dark(line_chart(chart));
+  const int one = dark(rendered(line_chart(chart)));
   EXPECT_GT(one, 250);
   chart.guides.push_back({20, "limit", false});
-  EXPECT_GT(dark(line_chart(chart)), one + 250);
+  EXPECT_GT(dark(rendered(line_chart(chart))), one + 250);
 }
 
 TEST(LineChart, OddDataStillMakeAPicture) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   LineChart chart;
-  EXPECT_EQ(line_chart(chart).width, 1200);
+  EXPECT_EQ(line_chart(chart).width(), 1200);
   chart.series = {
       {"a", {}, {}, {}}, {"b", {1}, {nan}, {}}, {"c", {1, 2, nan}, {inf, 3, 3}, {.markers = true}}};
-  EXPECT_EQ(line_chart(chart).height, 800);
+  EXPECT_EQ(line_chart(chart).height(), 800);
   chart.log_x = chart.log_y = true;
   chart.series.push_back({"d", {-1, 0, 1e-8, 1e8}, {0, -5, 1e-30, 1e30}, {}});
-  EXPECT_EQ(line_chart(chart).height, 800);
+  EXPECT_EQ(line_chart(chart).height(), 800);
   chart.series.push_back({"e", {1}, {}, {}});
   EXPECT_THROW(line_chart(chart), InternalError);
 }

@@ -1,13 +1,11 @@
 #include "picture/text.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
 #include <string>
-#include <vector>
-
-#include "picture/stroke_font.hpp"
 
 namespace recoil {
 namespace {
@@ -15,7 +13,8 @@ namespace {
 constexpr Rgb kWhite{255, 255, 255};
 
 /// Smallest rectangle around everything that is not white.
-PixelRect inked(const Image& image) {
+PixelRect inked(const Canvas& canvas) {
+  const Image image = rendered(canvas);
   PixelRect r{1e9, 1e9, -1, -1};
   for (int j = 0; j < image.height; ++j)
     for (int i = 0; i < image.width; ++i)
@@ -25,38 +24,17 @@ PixelRect inked(const Image& image) {
   return r;
 }
 
-TEST(StrokeFont, HasAllOfAsciiEachDrawnDifferently) {
-  std::set<std::vector<unsigned char>> pictures;
-  for (char c = ' '; c <= '~'; ++c) {
-    ASSERT_TRUE(has_glyph(static_cast<char32_t>(c))) << c;
-    Image image = make_image(60, 60, kWhite);
-    draw_text(image, {10, 40}, std::string(1, c), {.size = 32});
-    EXPECT_TRUE(pictures.insert(image.rgb).second) << "'" << c << "' looks like another character";
-  }
-}
-
-TEST(StrokeFont, StrokesStayNearTheirBox) {
-  for (char32_t c = U' '; c <= U'~'; ++c)
-    for (const auto& stroke : glyph(c).strokes)
-      for (const auto& p : stroke) {
-        EXPECT_GE(p.x, -0.01) << static_cast<char>(c);
-        EXPECT_LE(p.x, glyph(c).advance + 0.01) << static_cast<char>(c);
-        EXPECT_GE(p.y, -0.25) << static_cast<char>(c);
-        EXPECT_LE(p.y, 0.80) << static_cast<char>(c);
-      }
-}
-
 TEST(Text, AnchorsPlaceIt) {
   const std::string text = "HHHHH";
   const double width = text_width(text, 30);
-  Image left = make_image(300, 100, kWhite), right = left, centre = left;
+  Canvas left(300, 100, kWhite), right(300, 100, kWhite), centre(300, 100, kWhite);
   draw_text(left, {150, 50}, text, {.size = 30});
   draw_text(right, {150, 50}, text, {.size = 30, .horizontal = HorizontalAnchor::right});
   draw_text(centre, {150, 50}, text,
             {.size = 30, .horizontal = HorizontalAnchor::centre, .vertical = VerticalAnchor::middle});
   EXPECT_NEAR(inked(left).x0, 150, 5);
-  EXPECT_NEAR(inked(left).y1, 50, 3);
-  EXPECT_NEAR(inked(left).y0, 50 - 21, 3);
+  EXPECT_NEAR(inked(left).y1, 50, 1);
+  EXPECT_NEAR(inked(left).y0, 50 - 30 * kCapitalHeight, 1);
   EXPECT_NEAR(inked(left).x1, 150 + width, 5);
   EXPECT_NEAR(inked(right).x1, 150, 5);
   EXPECT_NEAR(0.5 * (inked(centre).x0 + inked(centre).x1), 150, 2);
@@ -64,7 +42,7 @@ TEST(Text, AnchorsPlaceIt) {
 }
 
 TEST(Text, UpwardsIsTheSameTurned) {
-  Image flat = make_image(200, 200, kWhite), turned = flat;
+  Canvas flat(200, 200, kWhite), turned(200, 200, kWhite);
   draw_text(flat, {50, 100}, "pressure", {.size = 30});
   draw_text(turned, {100, 150}, "pressure", {.size = 30, .upwards = true});
   const PixelRect a = inked(flat), b = inked(turned);
@@ -73,12 +51,46 @@ TEST(Text, UpwardsIsTheSameTurned) {
   EXPECT_NEAR(b.x1 - 100, a.y1 - 100, 2) << "descenders point to the right";
 }
 
-TEST(Text, ReadsUtf8AndRaisesInBraces) {
-  EXPECT_DOUBLE_EQ(text_width("µ", 20), text_width("u", 20));
+TEST(Text, LeavesNothingToTheNextShape) {
+  Canvas canvas(100, 100, kWhite), bare(100, 100, kWhite);
+  draw_text(canvas, {5, 95}, "a", {.size = 12, .colour = kWhite});
+  for (Canvas* c : {&canvas, &bare}) {
+    fill_polygon(*c, {{60, 10}, {80, 10}, {80, 30}}, {0, 0, 0});
+    fill_circle(*c, {70, 60}, 8, {0, 0, 0}, c->bounds());
+  }
+  EXPECT_TRUE(rendered(canvas).rgb == rendered(bare).rgb);
+}
+
+TEST(Text, RaisesInBraces) {
   EXPECT_LT(text_width("10^{3}", 20), text_width("103", 20));
-  EXPECT_TRUE(has_glyph(U'\u2212'));
-  EXPECT_FALSE(has_glyph(U'\u4e00'));
-  EXPECT_GT(text_width("\xff\xc3", 20), 0) << "broken bytes draw as boxes";
+  EXPECT_GT(text_width("10^{3}", 20), text_width("10", 20));
+  Canvas flat(100, 100, kWhite), raised(100, 100, kWhite);
+  draw_text(flat, {20, 60}, "5", {.size = 40});
+  draw_text(raised, {20, 60}, "^{5}", {.size = 40});
+  EXPECT_LT(inked(raised).y0, inked(flat).y0) << "higher";
+  EXPECT_LT(inked(raised).y1, inked(flat).y1 - 8);
+}
+
+TEST(Text, BrokenBytesAreReplaced) {
+  const double one = text_width("\ufffd", 20);
+  for (const char* bytes : {"\xff", "\x80", "\xc0"}) EXPECT_DOUBLE_EQ(text_width(bytes, 20), one);
+  EXPECT_DOUBLE_EQ(text_width("\xff\xc3", 20), 2 * one);
+  EXPECT_DOUBLE_EQ(text_width("\xed\xa0\x80", 20), 3 * one) << "a surrogate";
+  Canvas canvas(100, 100, kWhite);
+  draw_text(canvas, {10, 50}, "\xff", {.size = 30});
+  EXPECT_NO_THROW(rendered(canvas));
+}
+
+RC_GTEST_PROP(TextOfAnyBytes, IsDrawnAndIsAsWideAsItsParts, ()) {
+  const auto bytes = *rc::gen::container<std::string>(rc::gen::arbitrary<char>());
+  const double width = text_width(bytes, 20);
+  RC_ASSERT(std::isfinite(width) && width >= 0);
+  RC_ASSERT(std::abs(text_width(bytes + " " + bytes, 20) - 2 * width - text_width(" ", 20)) <
+                1e-6 * (1 + width) ||
+            bytes.find('{') != std::string::npos);
+  Canvas canvas(50, 50, kWhite);
+  draw_text(canvas, {10, 30}, bytes, {.size = 20});
+  rendered(canvas);
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ TEST(FieldDump, IsReadBackAsAPlane) {
   EXPECT_TRUE(std::filesystem::exists(folder / "fields/disc_000001.hdf"));
 
   EXPECT_EQ(choose_dump(folder.path(), 0.9e-6).time_s, 0);
+  EXPECT_THROW(choose_dump(folder.path(), 2.1e-6), InputError) << "beyond the end";
   const ChosenDump chosen = choose_dump(folder.path(), std::nullopt);
   EXPECT_EQ(chosen.time_s, 2e-6);
   const VtkhdfFile file = read_vtkhdf(chosen.path);
@@ -100,6 +101,15 @@ TEST(FieldDump, IsReadBackAsAPlane) {
   EXPECT_GT(at(plane.matter, 0, -5.3e-3), 0) << "rigid bodies hold no matter";
   EXPECT_NEAR(at(field_plane(file, "velocity.y", units).values, 1e-3, 0), -400, 1e-3);
   EXPECT_EQ(field_plane(file, "velocity.y", units).label, "velocity y [m/s]");
+  EXPECT_TRUE(plane.categories.empty());
+  const FieldPlane body = field_plane(file, "body", units);
+  ASSERT_EQ(body.categories.size(), 2U);
+  EXPECT_EQ(body.categories[0].name, "disc");
+  EXPECT_EQ(at(body.values, 1e-3, 0), body.categories[0].value);
+  EXPECT_TRUE(std::isnan(at(body.values, 0, -5.3e-3))) << "rigid bodies hold no matter";
+  const FieldPlane contact = field_plane(file, "contact", units);
+  ASSERT_EQ(contact.categories.size(), 1U);
+  EXPECT_EQ(contact.categories[0].name, "none");
   const auto outlines = zero_outlines(plane.level_sets[0]);
   ASSERT_EQ(outlines.size(), 1U);
   EXPECT_NEAR(length(outlines[0]), 2 * M_PI * 4e-3, 0.01 * 2 * M_PI * 4e-3);
