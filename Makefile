@@ -5,20 +5,22 @@ JOBS   ?= $(shell nproc)
 PYTHON ?= /usr/bin/python3
 WERROR ?= OFF
 
-STEP    := @tools/step
-RELEASE := build/release
-TEST    := build/test
-DEMO    := runs/flyer_al_cu
+STEP     := @tools/step
+RELEASE  := build/release
+TEST     := build/test
+COVERAGE := build/coverage
+DEMO     := runs/flyer_al_cu
 
 # Containers run as root and on fewer cores than ranks.
 export OMPI_ALLOW_RUN_AS_ROOT = 1
 export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM = 1
 
-.PHONY: help build demo test layers unit-tests bench docs format check clean packages packages-test
+.PHONY: help build demo test layers unit-tests coverage bench docs format clean packages packages-test
 
 help:
 	@echo "make demo     install what is missing, build for this machine, run the flyer plate, draw its gauge"
-	@echo "make test     build a portable binary, run the quick tests, check the layers of the source"
+	@echo "make test     build a portable binary, run the quick tests, check the layers and sizes of the source"
+	@echo "make coverage run the tests and count the lines that they reach; results in $(COVERAGE)/index.html"
 	@echo "make bench    build and run the timed kernels; results in build/bench.json"
 	@echo "make docs     write docs/reference/ from the program's own registry of keys"
 	@echo "make format   bring the C++ files into the form of .clang-format"
@@ -31,7 +33,7 @@ packages-test:
 	$(STEP) "Debian packages to build, run and test" tools/install_packages build test
 
 build: packages
-	$(STEP) "Configure $(RELEASE)" tools/configure $(RELEASE) -DRECOIL_NATIVE=ON -DRECOIL_TESTS=OFF
+	$(STEP) "Configure $(RELEASE)" tools/configure $(RELEASE)
 	$(STEP) "Build the program for this machine (some minutes the first time)" \
 	  cmake --build $(RELEASE) -j $(JOBS) --target recoil
 
@@ -48,8 +50,10 @@ demo: build
 test: layers unit-tests
 
 layers: packages-test
-	$(STEP) "Layers of the source" $(PYTHON) tools/check_layers.py
-	$(STEP) "The checker of layers itself" $(PYTHON) -B tools/test_check_layers.py
+	$(STEP) "Layers of the source" $(PYTHON) -B tools/check_layers.py
+	$(STEP) "The checkers themselves" $(PYTHON) -B -m unittest discover -q -s tools -p 'test_*.py'
+	$(STEP) "Headers of the standard names in use" $(PYTHON) -B tools/check_includes.py
+	$(STEP) "Sizes of functions, files and folders" $(PYTHON) -B tools/check_sizes.py
 
 unit-tests: packages-test
 	$(STEP) "Configure $(TEST)" tools/configure $(TEST) -DRECOIL_WERROR=$(WERROR)
@@ -58,8 +62,15 @@ unit-tests: packages-test
 	$(STEP) "Quick tests" ctest --test-dir $(TEST) -j $(JOBS) -LE slow --output-on-failure --no-tests=error \
 	  --progress --output-junit ctest.xml
 
+coverage: packages-test
+	$(STEP) "Configure $(COVERAGE)" tools/configure $(COVERAGE)
+	$(STEP) "Build tests that count the lines they reach" cmake --build $(COVERAGE) -j $(JOBS)
+	$(STEP) "Forget earlier counts" find $(COVERAGE) -name '*.gcda' -delete
+	$(STEP) "Unit tests and tests of the command line" ctest --preset coverage -j $(JOBS)
+	$(STEP) "Lines reached" $(PYTHON) -B tools/coverage.py $(COVERAGE) -j $(JOBS)
+
 bench: packages-test
-	$(STEP) "Configure $(RELEASE)" tools/configure $(RELEASE) -DRECOIL_NATIVE=ON -DRECOIL_BENCH=ON
+	$(STEP) "Configure $(RELEASE)" tools/configure $(RELEASE) -DRECOIL_BENCH=ON
 	$(STEP) "Build the timed kernels" cmake --build $(RELEASE) -j $(JOBS) --target recoil_bench
 	$(STEP) "Run the timed kernels" $(RELEASE)/recoil_bench --benchmark_out=build/bench.json
 

@@ -36,8 +36,8 @@ if(recoil_test_sources)
   include(GoogleTest)
   add_executable(recoil_tests ${recoil_test_sources})
   target_compile_definitions(recoil_tests PRIVATE RECOIL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(recoil_tests PRIVATE recoil_lib recoil_flags rapidcheck rapidcheck_gtest GTest::gtest
-                                             GTest::gtest_main)
+  target_link_libraries(recoil_tests PRIVATE recoil_lib recoil_flags recoil_test_flags rapidcheck rapidcheck_gtest
+                                             GTest::gtest GTest::gtest_main)
   add_dependencies(recoil_tests recoil_build_info)
   gtest_discover_tests(recoil_tests DISCOVERY_TIMEOUT 300 PROPERTIES TIMEOUT 600 LABELS unit)
   # gtest_discover_tests cannot pass a list as a property's value, so the environment is set when CTest reads the tests.
