@@ -39,6 +39,11 @@ if(recoil_test_sources)
   target_link_libraries(recoil_tests PRIVATE recoil_lib recoil_flags recoil_test_flags rapidcheck rapidcheck_gtest
                                              GTest::gtest GTest::gtest_main)
   add_dependencies(recoil_tests recoil_build_info)
+  if(RECOIL_SANITIZE)
+    # Saves about two seconds a file. Only here: in the other builds every file has to bring its includes itself.
+    target_precompile_headers(recoil_tests PRIVATE <fmt/format.h> <gtest/gtest.h> <algorithm> <array> <cmath> <filesystem>
+                              <functional> <string> <vector>)
+  endif()
   gtest_discover_tests(recoil_tests DISCOVERY_TIMEOUT 300 PROPERTIES TIMEOUT 600 LABELS unit)
   # gtest_discover_tests cannot pass a list as a property's value, so the environment is set when CTest reads the tests.
   file(WRITE "${PROJECT_BINARY_DIR}/recoil_tests_environment.cmake"
