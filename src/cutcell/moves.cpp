@@ -9,7 +9,19 @@ namespace recoil {
 
 namespace {
 
-constexpr double least_state_fill = 0.02;  // part of a cell below which a fragment's state carries no volume
+// Parts of a cell (volumes), of a face (areas).
+constexpr double least_state_fill = 0.02;  // below it a fragment's state carries no volume
+constexpr double thin_sum = 1.75;          // a body with less than so many cells of matter in five is thin
+constexpr double open_bound = 0.1;         // how far V may be below 0 or above the cell where it is not thin
+constexpr double rounding = 1e-13;         // a smaller excess over a whole cell is none
+constexpr double ample_fill = 0.3;      // a neighbour with less does not lend to a cell that lacks volume ...
+constexpr double ample_times = 4;       // ... nor one with less than so many times what is lacking
+constexpr double most_lent = 0.5;       // of what a neighbour has, it gives to a cell without a state
+constexpr double fullest_times = 2;     // what takes a negative volume in has more than so many times as much
+constexpr double least_surface = 0.02;  // area that a surface counts with in the exchange along it
+constexpr double closed_face = 1e-9;    // a common face open by less is closed; closed by less, open
+constexpr double least_mismatch_area = 0.3;  // a smaller surface counts as so large in V - V_phi over A_I
+constexpr double most_mismatch = 0.5;        // [dx] by which phi is asked to follow V at most
 
 /// A window on the end-of-step geometry, volumes and contents of one body.
 template <int Dim>
@@ -82,7 +94,7 @@ class MovesView {
         j[d] += o;
         sum += std::max(volume[window.at(j)], 0.0) / full(j);
       }
-      if (sum < 1.75) return true;
+      if (sum < thin_sum) return true;
     }
     return false;
   }
@@ -173,10 +185,10 @@ void transfer(const MovesView<Dim>& p, BodyBlock<Dim>& b, const int* senders, in
   });
 }
 
-/// |A_I| of a cut cell, at least 0.02 of a face.
+/// |A_I| of a cut cell, at least least_surface.
 template <int Dim>
 double surface_area(const Grid<Dim>& grid, const CutCell<Dim>& c, const Index<Dim>& i) {
-  return std::max(norm(c.surface), 0.02 * grid.dx_power(Dim - 1) * grid.radius(i[0]));
+  return std::max(norm(c.surface), least_surface * grid.dx_power(Dim - 1) * grid.radius(i[0]));
 }
 
 /// Volume that flows from cell i to its upper neighbour along axis d in the tangential exchange.
@@ -187,11 +199,11 @@ double surface_flow(const MovesView<Dim>& p, const Index<Dim>& i, int d, Index<D
   const CutCell<Dim>*a = p.cut(i), *b = p.cut(j);
   if (!a || !b) return 0;
   const double face = b->open[d][0] / (p.grid.dx_power(Dim - 1) * p.grid.radius(j[0]));
-  if (face <= 1e-9 || (Dim > 1 && face >= 1 - 1e-9)) return 0;
+  if (face <= closed_face || (Dim > 1 && face >= 1 - closed_face)) return 0;
   const double area_a = surface_area(p.grid, *a, i), area_b = surface_area(p.grid, *b, j);
   const double va = p.volume[p.window.at(i)], vb = p.volume[p.window.at(j)];
   source = va / p.full(i) > vb / p.full(j) ? i : j;
-  if (!(p.volume[p.window.at(source)] > 0.02 * p.full(source))) return 0;
+  if (!(p.volume[p.window.at(source)] > least_state_fill * p.full(source))) return 0;
   return exchange_rate * ((va - a->volume) / area_a - (vb - b->volume) / area_b) * area_a * area_b /
          (area_a + area_b);
 }
@@ -231,8 +243,9 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
   const double face = grid.dx_power(Dim - 1);
   for (CutCell<Dim>& cut : b.end_geometry.cuts) {
     const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
-    const double area = std::max(norm(cut.surface), 0.3 * face * grid.radius(i[0]));
-    cut.mismatch = std::clamp((b.volume[cut.cell] - cut.volume) / area, -0.5 * grid.dx, 0.5 * grid.dx);
+    const double area = std::max(norm(cut.surface), least_mismatch_area * face * grid.radius(i[0]));
+    cut.mismatch = std::clamp((b.volume[cut.cell] - cut.volume) / area, -most_mismatch * grid.dx,
+                              most_mismatch * grid.dx);
   }
 }
 
@@ -271,7 +284,7 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& sc
   const auto excess = [&](const Index<Dim>& i) {
     const int k = p.window.at(i);
     const double e = p.volume[k] - p.full(i);
-    return p.kind[k] == CellKind::full && std::abs(e) > 1e-13 * p.full(i) ? e : 0.0;
+    return p.kind[k] == CellKind::full && std::abs(e) > rounding * p.full(i) ? e : 0.0;
   };
   int count = 0;
   const int* senders = list_senders(p, count, scratch, [&](const Index<Dim>& i) { return excess(i) != 0; });
@@ -283,12 +296,12 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& sc
     t.to = p.neighbour(i, 1);
     if (t.to == i) return t;
     const double there = p.volume[p.window.at(t.to)];
-    bool from_own = e > 0 || there < std::max(4 * std::abs(e), 0.3 * p.full(t.to));
+    bool from_own = e > 0 || there < std::max(ample_times * std::abs(e), ample_fill * p.full(t.to));
     if (from_own && !(p.volume[p.window.at(i)] > least_state_fill * p.full(i))) {
       // A cell that the geometry gives to the body before anything of it is there has no state to go by.
       if (!(there > least_state_fill * p.full(t.to))) return t;
       from_own = false;
-      e = std::max(e, -0.5 * there);
+      e = std::max(e, -most_lent * there);
     }
     if (e < 0 && from_own && there < -e && p.thin(i)) return t;
     t.any = true;
@@ -317,13 +330,13 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
     Box<Dim> box{i, i};
     for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
     for (const bool diagonal : {false, true}) {
-      double best = 0.02;
+      double best = least_state_fill;
       for_each(box, [&](const Index<Dim>& j) {
         int apart = 0;
         for (int d = 0; d < Dim; ++d) apart += j[d] != i[d];
         if (apart == 0 || (apart > 1) != diagonal) return;
         const double v = p.volume[p.window.at(j)], fill = v / p.full(j);
-        if (fill <= best || v <= 2 * have) return;
+        if (fill <= best || v <= fullest_times * have) return;
         best = fill;
         t.to = j;
         t.any = true;
@@ -346,14 +359,14 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   };
   const auto decide = [&](const Index<Dim>& i) {
     Transfer<Dim> t;
-    const double v = p.volume[p.window.at(i)], whole = p.full(i), limit = p.thin(i) ? 0.0 : -0.1;
+    const double v = p.volume[p.window.at(i)], whole = p.full(i), limit = p.thin(i) ? 0.0 : -open_bound;
     t.state_cell = i;
     if (v < limit * whole) {
       fullest(i, t);
       t.volume = v;
       t.factor = 1;
       t.everything = true;
-    } else if (v > (1 - limit) * whole && v - whole > 1e-13 * whole) {
+    } else if (v > (1 - limit) * whole && v - whole > rounding * whole) {
       emptiest(i, t);
       t.volume = v - whole;
       t.factor = t.volume / v;
