@@ -63,7 +63,7 @@ void to_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, Counters
   for_each_place(state, slot, [&](std::size_t k, double full) {
     if (!(b.phi[k] < 0)) return empty(b, k);
     if (!(b.volume[k] > 0)) {
-      ++counters.cuts_without_donor;
+      ++counters.real_cells_without_contents;
       return empty(b, k);
     }
     if (b.volume[k] == full) return;
@@ -93,7 +93,7 @@ void to_cut_cells(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
     } else if ((b.role[k] & valued) != 0) {
       fill_from_ghost(body.material, b, k, part);
     } else {
-      ++counters.cuts_without_donor;
+      ++counters.uncovered_cells_without_value;
     }
   });
 }

@@ -12,6 +12,10 @@ namespace recoil {
 namespace {
 
 constexpr double least_judged = 0.02;  // part of a cell below which a state is not judged
+// A donor is averaged where it fills more than this part of a cell and its density lies between these
+// multiples of rho0 (of the stages of a step only: at its start the donor's fill has been judged).
+constexpr double least_averaged = 0.1, thinnest_averaged = 0.2, densest_averaged = 3;
+constexpr double thinnest_used = 0.2;  // of rho0: a fragment below it is of no use to fits and stencils
 
 template <int Dim>
 std::string place_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
@@ -88,7 +92,8 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
     for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
       const double volume = b.volume[k], rho = b.contents[k] / volume;
       const bool donor = (b.role[k] & donates) != 0;
-      if (donor && volume > 0.1 * state.grid().full_volume(i) && rho > 0.2 * eos.rho0 && rho < 3 * eos.rho0) {
+      if (donor && volume > least_averaged * state.grid().full_volume(i) &&
+          rho > thinnest_averaged * eos.rho0 && rho < densest_averaged * eos.rho0) {
         if (count > 0 && k != first + count) flush();
         if (count == 0) first = k;
         ++count;
@@ -99,7 +104,7 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
       if (!std::isfinite(rho))
         throw PhysicsError("the density of " + body.name + " is not a number at " +
                            place_of(state, slot, i - cells.lo));
-      ++counters.cuts_without_donor;  // keeps its average of the stage before
+      ++counters.averages_kept;  // of the stage before
     });
     flush();
   }
@@ -116,8 +121,8 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
     std::uint8_t role = 0;
     if (fill > donor_fill) role |= donates;
     if (fill >= regular_fill) role |= regular | valued;
-    if (role != 0 && !(b.contents[k] / b.volume[k] > 0.2 * rho0)) {
-      ++counters.cuts_without_donor;
+    if (role != 0 && !(b.contents[k] / b.volume[k] > thinnest_used * rho0)) {
+      ++counters.fragments_too_thin;
       role = 0;
     }
     b.role[k] = role;

@@ -21,7 +21,11 @@ template <int Dim>
 constexpr double decay_along = Dim == 3 ? 0.35 : 0.15;
 constexpr double end_exponent = 2.84, most_curved = 0.1;
 constexpr double fit_ridge = 0.006;  // of the total weight, on the diagonal of the gradient's matrix
-constexpr int fit_reach = 7;         // the widest box reaches 6 cells, the surface point lies at most 1 away
+constexpr double deepest_rarefaction = 0.4,
+                 highest_compression =
+                     0.6;     // of the donors' mean density: the
+                              // fitted density leaves it at most so far; what is cut is counted
+constexpr int fit_reach = 7;  // the widest box reaches 6 cells, the surface point lies at most 1 away
 
 template <int Dim>
 using Matrix = std::array<Vec<Dim>, Dim>;
@@ -190,7 +194,7 @@ double trace_range(const Body<Dim>& body, const Wall<Dim>& wall, const Donor<Dim
 
 template <int Dim, class EosModel>
 void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& b, Wall<Dim>& wall,
-              std::size_t n) {
+              std::size_t n, Counters& counters) {
   using C = Components<Dim>;
   constexpr std::size_t count = EosModel::barotropic ? C::primitives : C::contents;
   const Donor<Dim>* const donors = b.donors.data() + wall.first_donor;
@@ -219,7 +223,10 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& 
   const double rho = wall.value[C::rho];
   const double c0 = bulk_sound_speed(eos),
                c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_sound * c0 * c0);
-  wall.value[C::rho] = rho + std::clamp((wall.value[C::p] - mean_p) / c2, -0.4 * rho, 0.6 * rho);
+  const double change = (wall.value[C::p] - mean_p) / c2,
+               kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
+  if (kept != change) ++counters.clamped_fit_densities;
+  wall.value[C::rho] = rho + kept;
   wall.value[C::ep] = std::max(0.0, wall.value[C::ep]);
   wall.range[C::extra] = Dim == 3 ? trace_range(body, wall, donors, n) : 0;
 }
@@ -256,7 +263,7 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
 }
 
 template <int Dim>
-void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot) {
+void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
   const auto n = static_cast<std::size_t>(state.grid().layout().size());
   const Box<Dim> layout = state.grid().layout();
@@ -264,7 +271,7 @@ void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot) {
       [&](const auto& eos) {
         for (std::size_t m = 0; m < b.walls.size(); ++m) {
           if (b.walls[m].donors > 0) {
-            evaluate(eos, body, b, b.walls[m], n);
+            evaluate(eos, body, b, b.walls[m], n, counters);
             continue;
           }
           const int cell = b.geometry.cuts[m].cell;
@@ -277,7 +284,7 @@ void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot) {
 
 #define RECOIL_INSTANTIATE(Dim)                                                              \
   template void choose_donors<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&); \
-  template void evaluate_fits<Dim>(const State<Dim>&, Body<Dim>&, int);
+  template void evaluate_fits<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

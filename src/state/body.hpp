@@ -63,10 +63,12 @@ struct Body {
 
 /// What is counted because it should not happen, or only in extreme cases. Reported in summary.json.
 struct Counters {
-  std::int64_t first_order_faces = 0, faces_without_value = 0, cuts_without_donor = 0, averaged_states = 0,
-               wide_neighbourhoods = 0, widest_neighbourhoods = 0, unmerged_fragments = 0,
-               lone_fragments_moved = 0, capped_speeds = 0, volume_bounds = 0, volume_bounds_left = 0,
-               floored_sound_speeds = 0, contacts_lost = 0;
+  std::int64_t first_order_faces = 0, faces_without_value = 0, cuts_without_donor = 0,
+               ghosts_without_wall = 0, averages_kept = 0, fragments_too_thin = 0,
+               real_cells_without_contents = 0, uncovered_cells_without_value = 0, clamped_fit_densities = 0,
+               clamped_ghost_densities = 0, averaged_states = 0, wide_neighbourhoods = 0,
+               widest_neighbourhoods = 0, unmerged_fragments = 0, lone_fragments_moved = 0, capped_speeds = 0,
+               volume_bounds = 0, volume_bounds_left = 0, floored_sound_speeds = 0, contacts_lost = 0;
 
   Counters& operator+=(const Counters& b);
   /// Name and count of each, in a fixed order.

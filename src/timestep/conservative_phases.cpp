@@ -26,7 +26,7 @@ void find_walls(StepRun<Dim>& step, double dt, double weight) {
   State<Dim>& state = step.state();
   step.for_each_slot(StepPhase::walls, access, [&](int slot, Scratch& scratch) {
     for (Body<Dim>& body : state.bodies)
-      if (!body.rigid && body.present(slot)) evaluate_fits(state, body, slot);
+      if (!body.rigid && body.present(slot)) evaluate_fits(state, body, slot, step.counters(slot));
     find_walls(state, slot, dt, weight, scratch);
   });
 }

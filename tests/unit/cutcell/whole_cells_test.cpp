@@ -48,7 +48,7 @@ TYPED_TEST(WholeCells, CellsWithTheirCentreInsideAreRealAndKeepTheirState) {
       EXPECT_NEAR(b.contents[c * b.volume.size() + k], a.contents[c] * full,
                   1e-12 * std::abs(a.contents[c] * full));
   });
-  EXPECT_EQ(a.counters.cuts_without_donor, 0);
+  EXPECT_EQ(a.counters.real_cells_without_contents, 0);
 }
 
 TYPED_TEST(WholeCells, AnEmptyCellInsideIsCounted) {
@@ -61,7 +61,7 @@ TYPED_TEST(WholeCells, AnEmptyCellInsideIsCounted) {
     done = true;
   });
   a.for_each_block([&](int s, auto&) { to_whole_cells(a.state, a.state.bodies[0], s, a.counters); });
-  EXPECT_EQ(a.counters.cuts_without_donor, 1);
+  EXPECT_EQ(a.counters.real_cells_without_contents, 1);
 }
 
 TYPED_TEST(WholeCells, PiecesComeBackWithGhostsInWhatWasNotReal) {
@@ -86,7 +86,7 @@ TYPED_TEST(WholeCells, PiecesComeBackWithGhostsInWhatWasNotReal) {
             << c;
     }
   });
-  EXPECT_EQ(a.counters.cuts_without_donor, 0);
+  EXPECT_EQ(a.counters.uncovered_cells_without_value, 0);
 }
 
 TYPED_TEST(WholeCells, AGhostWithoutAValueIsCounted) {
@@ -97,7 +97,7 @@ TYPED_TEST(WholeCells, AGhostWithoutAValueIsCounted) {
     std::fill(b.role.begin(), b.role.end(), std::uint8_t{0});
     to_cut_cells(a.state, a.state.bodies[0], s, a.counters);
   });
-  EXPECT_GT(a.counters.cuts_without_donor, 0);
+  EXPECT_GT(a.counters.uncovered_cells_without_value, 0);
 }
 
 }  // namespace

@@ -85,13 +85,33 @@ TYPED_TEST(States, RolesFollowTheVolume) {
     choose_roles(state, state.bodies[0], 0, this->counters);
     EXPECT_EQ(b.role[2], r.role) << r.fill;
   }
-  EXPECT_EQ(this->counters.cuts_without_donor, 0);
+  EXPECT_EQ(this->counters.fragments_too_thin, 0);
   auto thin = q;
   thin[0] *= 0.1;  // nearly no mass in the volume
   set_piece(b, 2, full, thin);
   choose_roles(state, state.bodies[0], 0, this->counters);
   EXPECT_EQ(b.role[2], 0);
-  EXPECT_EQ(this->counters.cuts_without_donor, 1);
+  EXPECT_EQ(this->counters.fragments_too_thin, 1);
+}
+
+/// A donor that has lost its matter within a step keeps the average of the stage before.
+TYPED_TEST(States, AveragesThatAreKeptAreCounted) {
+  constexpr int dim = TestFixture::dim;
+  const auto w = some_primitives<dim>(this->material);
+  auto state = this->uniform(w);
+  auto& b = state.bodies[0].at(0);
+  b.near_surface = true;
+  choose_roles(state, state.bodies[0], 0, this->counters);
+  average_primitives(state, state.bodies[0], 0, this->counters);
+  EXPECT_EQ(this->counters.averages_kept, 0);
+  const double before = b.average[2];
+  auto denser = w;
+  denser[0] *= 1.1;
+  set_piece(b, 2, 0.05 * this->grid.dx_power(dim), per_volume<dim>(this->material, denser));
+  average_primitives(state, state.bodies[0], 0, this->counters);
+  EXPECT_EQ(this->counters.averages_kept, 1);
+  EXPECT_EQ(this->counters.fragments_too_thin, 0);
+  EXPECT_EQ(b.average[2], before);
 }
 
 TYPED_TEST(States, TheFastestSignalIsTheSumOverAxes) {

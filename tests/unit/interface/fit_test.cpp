@@ -192,6 +192,26 @@ TEST(FitsAtMirrors, VelocitiesTurnRound) {
   EXPECT_EQ(beside, 4);
 }
 
+/// Density follows the pressure at the surface only so far; where it is cut, that is counted.
+TYPED_TEST(Fits, WildPressureIsCountedWhereItCutsTheDensity) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  for (const double slope : {1e8, 1e12}) {  // Pa per dx
+    auto p = this->half();
+    this->set_averages(p, [&](const Vec<dim>& x) {
+      auto w = this->base;
+      w[C::p] = slope * dot(x - this->middle, this->tilted()) / this->grid.dx;
+      return w;
+    });
+    p.evaluate();
+    EXPECT_EQ(p.counters.clamped_fit_densities > 0, slope > 1e10);
+    p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>&) {
+      ASSERT_LE(w.value[C::rho], 1.6 * this->base[C::rho] * (1 + 1e-12));
+      ASSERT_GE(w.value[C::rho], 0.6 * this->base[C::rho] * (1 - 1e-12));
+    });
+  }
+}
+
 /// A cut cell with no whole fragment around moves with what it holds.
 TYPED_TEST(Fits, LonePiecesMoveWithWhatTheyHold) {
   constexpr int dim = TestFixture::dim;

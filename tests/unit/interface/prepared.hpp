@@ -41,7 +41,7 @@ struct Prepared {
       }
   }
   void evaluate() {
-    for_each_body([&](Body<Dim>& body, int s, Scratch&) { evaluate_fits(state, body, s); });
+    for_each_body([&](Body<Dim>& body, int s, Scratch&) { evaluate_fits(state, body, s, counters); });
   }
   /// Calls f(wall, cut cell, index) for the walls of a body.
   template <class F>
