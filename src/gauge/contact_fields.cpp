@@ -3,34 +3,27 @@
 #include <cmath>
 #include <limits>
 
-#include "gauge/contact_cells.hpp"
+#include "gauge/level_set_slope.hpp"
 
 namespace recoil {
 
 namespace {
 
-constexpr double slip = 1e-5;     // of the bulk speed of sound
-constexpr double opposed = -0.7;  // cosine between normals of surfaces that face each other
+constexpr double least_slip = 1e-5;  // of the bulk speed of sound
+constexpr double opposed = -0.7;     // cosine between normals of surfaces that face each other
 
+/// What the contacts in a cell say of the surface of body m there.
 template <int Dim>
-Vec<Dim> velocity_of(const Body<Dim>& body, int slot, int cell, const Vec<Dim>& x) {
-  if (body.rigid) return velocity_at(*body.rigid, x);
-  const BodyBlock<Dim>& b = body.at(slot);
-  const int at = b.geometry.index.empty() ? -1 : b.geometry.index[cell];
-  const bool known = at >= 0 && static_cast<std::size_t>(at) < b.walls.size();
-  return known ? b.walls[at].face_velocity : Vec<Dim>{};
-}
-
-template <int Dim>
-bool slides(const State<Dim>& state, int slot, int m, const CutCell<Dim>& at, const Wall<Dim>& wall) {
-  const double limit = slip * bulk_sound_speed(state.bodies[m].material);
-  for (std::uint32_t bits = wall.partners; bits != 0; bits &= bits - 1) {
-    const Body<Dim>& partner = state.bodies[__builtin_ctz(bits)];
-    if (!partner.present(slot)) continue;
-    const Vec<Dim> jump = wall.face_velocity - velocity_of(partner, slot, at.cell, at.point);
-    if (norm(jump - dot(jump, wall.normal) * wall.normal) > limit) return true;
+void look_up(const State<Dim>& state, int slot, int m, int cell, SurfaceContact& found) {
+  const double limit = least_slip * bulk_sound_speed(state.bodies[m].material);
+  for (const Contact<Dim>& c : state.contacts[slot]) {
+    if (c.cell != cell || !(c.first == m || (c.second == m && !c.one_sided))) continue;
+    found.traction = c.traction;
+    if (norm(c.slip) > limit)
+      found.state = ContactState::slipping;
+    else if (found.state == ContactState::free)
+      found.state = ContactState::touching;
   }
-  return false;
 }
 
 }  // namespace
@@ -60,23 +53,20 @@ SurfaceContact surface_contact(const State<Dim>& state, int slot, int m, int cel
   const Body<Dim>& body = state.bodies[m];
   const BodyBlock<Dim>& b = body.at(slot);
   const double dx = state.grid().dx;
-  const Box<Dim> layout = state.grid().layout();
-  const int at = b.geometry.index.empty() ? -1 : b.geometry.index[cell];
-  const Wall<Dim>* wall = at >= 0 && static_cast<std::size_t>(at) < b.walls.size() ? &b.walls[at] : nullptr;
-  if (wall) c.traction = wall->traction;
-  if (wall && wall->partners != 0)
-    c.state =
-        slides(state, slot, m, b.geometry.cuts[at], *wall) ? ContactState::slipping : ContactState::touching;
-  const Vec<Dim> n = slope_in_block(b.phi, layout, layout.index(cell), dx);
+  look_up(state, slot, m, cell, c);
+  const Index<Dim> i = state.mesh.block(slot).cells.lo + state.grid().layout().index(cell);
+  Index<Dim> beyond = i;
+  for (int d = 0; d < Dim; ++d) ++beyond[d];
+  const Window<Dim> window(state.mesh, slot, 1, Box<Dim>{i, beyond});
+  const Vec<Dim> n = level_set_slope(window, body, i, dx, far_cells * dx);
   double nearest = far_cells * dx;
   for (int q = 0; q < state.count(); ++q) {
     const Body<Dim>& other = state.bodies[q];
     if (q == m || !other.present(slot)) continue;
-    const auto& phi = other.at(slot).phi;
-    const double there = phi[cell];
+    const double there = other.at(slot).phi[cell];
     if (!(there < far_cells * dx)) continue;
     nearest = std::min(nearest, there);
-    const Vec<Dim> k = slope_in_block(phi, layout, layout.index(cell), dx);
+    const Vec<Dim> k = level_set_slope(window, other, i, dx, far_cells * dx);
     const bool facing = dot(n, k) < opposed * norm(n) * norm(k);
     if (c.state == ContactState::free && facing && (touched >> q & 1U) != 0) c.state = ContactState::opened;
   }

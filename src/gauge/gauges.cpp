@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "gauge/contact_cells.hpp"
+#include "state/contact_sums.hpp"
 
 namespace recoil {
 
@@ -205,34 +205,34 @@ bool Gauges<Dim>::needs_totals(double time) const {
 
 namespace {
 
-/// Adds the contact cells of a pair in this rank's blocks. Forces act on the lower-numbered body.
+/// Adds the contacts of a pair in this rank's blocks. Forces act on the lower-numbered body.
 template <int Dim>
 void probe_contact(const State<Dim>& state, int pair, const Vec<Dim>& at, double radius, int item,
                    OrderedSums& sums) {
   using A = At<Dim>;
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
     std::span<double> row;
-    for_each_contact(state, slot, [&](const ContactCell<Dim>& c) {
+    for (const Contact<Dim>& c : state.contacts[slot]) {
       const int lower = std::min(c.first, c.second), higher = std::max(c.first, c.second);
-      if (pair_number(lower, higher, state.count()) != pair) return;
-      if (radius > 0 && norm(c.point - at) > radius) return;
+      if (!counts(state, c) || pair_number(lower, higher, state.count()) != pair) continue;
+      if (radius > 0 && norm(c.point - at) > radius) continue;
       if (row.empty()) row = sums.add(item, state.mesh.block(slot).order);
-      const double sign = c.first == lower ? 1 : -1, speed = dot(c.velocity, c.normal),
-                   gap = c.gap / state.grid().dx;
+      const double sign = c.first == lower ? 1 : -1, gap = c.gap / state.grid().dx;
+      const Vec<Dim> force = force_on_lower(c), shear = (sign * c.area) * c.shear;
       row[A::area] += c.area;
       row[A::traction] += c.traction * c.area;
       row[A::square] += c.traction * c.traction * c.area;
-      row[A::velocity] += speed * c.area;
+      row[A::velocity] += c.work_velocity * c.area;
       row[A::gap] += c.gap * c.area;
-      row[A::power] += sign * (c.traction * c.area * speed + dot(c.shear_force, c.velocity));
+      row[A::power] += power_to_lower(c);
       for (int d = 0; d < Dim; ++d) {
         const auto k = static_cast<std::size_t>(d);
-        row[A::force + k] += sign * (c.traction * c.area * c.normal[d] + c.shear_force[d]);
-        row[A::shear + k] += sign * c.shear_force[d];
+        row[A::force + k] += force[d];
+        row[A::shear + k] += shear[d];
       }
       row[A::widest] = std::max(row[A::widest], gap);
       row[A::deepest] = std::max(row[A::deepest], -gap);
-    });
+    }
   }
 }
 

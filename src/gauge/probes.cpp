@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dynamics/primitives.hpp"
+#include "gauge/level_set_slope.hpp"
 
 namespace recoil {
 
@@ -43,21 +44,6 @@ double cells_apart2(const Vec<Dim>& a, const Vec<Dim>& b, double dx) {
   return dot(r, r);
 }
 
-/// Gradient of phi in a cell from neighbours in its block; one-sided at the block's edges.
-template <int Dim>
-Vec<Dim> slope_of(const FieldArray<double>& phi, const Box<Dim>& cells, const Box<Dim>& layout,
-                  const Index<Dim>& i) {
-  Vec<Dim> slope;
-  for (int d = 0; d < Dim; ++d) {
-    Index<Dim> lo = i, hi = i;
-    if (i[d] > cells.lo[d]) --lo[d];
-    if (i[d] + 1 < cells.hi[d]) ++hi[d];
-    const auto at = [&](const Index<Dim>& j) { return phi[layout.at(j - cells.lo)]; };
-    if (hi[d] > lo[d]) slope[d] = (at(hi) - at(lo)) / (hi[d] - lo[d]);
-  }
-  return slope;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -89,6 +75,7 @@ void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& poi
   for_blocks_near(state, point.body, point.at, [&](int slot, const BodyBlock<Dim>& b) {
     const Box<Dim> cells = state.mesh.block(slot).cells;
     const std::size_t n = b.volume.size();
+    const Window<Dim> window(state.mesh, slot, 1);
     std::span<double> row;
     for_each(cells, [&](const Index<Dim>& i) {
       const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
@@ -98,7 +85,8 @@ void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& poi
       for (int d = 0; d < Dim; ++d)
         velocity[d] = b.contents[static_cast<std::size_t>(C::u + d) * n + k] / b.contents[k];
       if (row.empty()) row = sums.add(item, state.mesh.block(slot).order);
-      add_reading(row, r2, std::exp(-2 * r2), velocity, slope_of(b.phi, cells, layout, i));
+      add_reading(row, r2, std::exp(-2 * r2), velocity,
+                  level_set_slope(window, state.bodies[point.body], i, 1, far_cells * dx));
     });
   });
 }

@@ -15,24 +15,22 @@ constexpr double closing_gap = 0.3;        // gaps in contact below this [dx] ar
 
 /// Beside a partner that does not face it, a free surface does not move through the gap that is left.
 template <int Dim>
-void stop_at(const SurfaceView<Dim>& v, const Opposite<Dim>& o, double dt, Vec<Dim>& velocity) {
-  using C = Components<Dim>;
-  Vec<Dim> other;
-  for (int d = 0; d < Dim; ++d)
-    other[d] = v.body(o.body).rigid ? v.body(o.body).rigid->velocity[d] : o.value[C::u + d];
-  const double least = dot(other, o.normal) - std::max(o.gap, 0.0) / dt, now = dot(velocity, o.normal);
+void stop_at(const SurfaceView<Dim>& v, const Opposite<Dim>& o, const Vec<Dim>& x, double dt,
+             Vec<Dim>& velocity) {
+  const double least = dot(velocity_of(v, o, x), o.normal) - std::max(o.gap, 0.0) / dt,
+               now = dot(velocity, o.normal);
   if (now < least) velocity += (least - now) * o.normal;
 }
 
 /// Contact of one surface point, if there is any. @returns whether.
 template <int Dim>
 bool try_touch(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
-               const Index<Dim>& i, double dt, double booked, Wall<Dim>& w) {
-  const GhostContact<Dim> c(v, m, o, i, w);
+               const Index<Dim>& i, double dt, Wall<Dim>& w) {
+  const GhostContact<Dim> c(v, m, o, cut, i, w);
   const double gap_speed = c.was && o.gap < kept_contact_gap * v.dx() ? 0 : std::max(o.gap, 0.0) / dt;
   const Touch t =
       c.rigid ? touch_rigid(c.mine, c.theirs.velocity, gap_speed) : touch(c.mine, c.theirs, gap_speed);
-  if (t.touching) c.apply(v, m, o, cut, t, booked, w);
+  if (t.touching) c.apply(v, m, o, cut, t, w);
   return t.touching;
 }
 
@@ -40,21 +38,21 @@ bool try_touch(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const C
 
 template <int Dim>
 void find_ghost_walls(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch) {
-  for_each_ghost_wall(state, slot, weight, scratch,
+  for_each_ghost_wall(state, slot, dt, weight, scratch,
                       [&](const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
                           const Index<Dim>& i, Wall<Dim>& w) {
                         const bool faces = o.faces(w.normal);
-                        if (faces && try_touch(v, m, o, cut, i, dt, weight * dt, w)) return;
+                        if (faces && try_touch(v, m, o, cut, i, dt, w)) return;
                         release(v.body(m).material, w);
                         if (o.body < 0 || faces || o.gap >= corner_gap * v.dx()) return;
-                        stop_at(v, o, dt, w.velocity);
+                        stop_at(v, o, cut.point, dt, w.velocity);
                         w.face_velocity = w.velocity;
                       });
 }
 
 template <int Dim>
 void measure_gaps(State<Dim>& state, int slot, Scratch& scratch) {
-  const SurfaceView<Dim> v = view_surfaces(state, slot, PhiAt::now, scratch);
+  const SurfaceView<Dim> v = view_surfaces(state, slot, {1, PhiAt::now, true, false}, scratch);
   for (int m = 0; m < state.count(); ++m) {
     Body<Dim>& body = state.bodies[m];
     if (body.rigid || !body.present(slot)) continue;

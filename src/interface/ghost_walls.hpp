@@ -10,9 +10,11 @@ namespace recoil {
 /// (n_m . n_k < -0.7); then contact/touch decides between the two fitted states. Beside a partner that is not
 /// opposed (a corner) the surface is free, but does not move into it.
 /// Both sides solve their own problem, so that what one body receives is not quite what the other gives: the
-/// record of the pair takes the side of the lower-numbered (or the deformable) body.
+/// record of the pair takes the side of the lower-numbered (or the deformable) body. A rigid body moves at
+/// the surface point as its velocity and spin say.
 /// Reads the fits of all walls (evaluate_fits) of this block and those around it, and the mid-step level
-/// sets. Writes traction, normal, partners and velocities of BodyBlock::walls.
+/// sets. Writes traction, normal, partners and velocities of BodyBlock::walls, and State::contacts; books
+/// them.
 /// @param weight part of a whole step that this stage stands for; 0 after the last stage.
 template <int Dim>
 void find_ghost_walls(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch);

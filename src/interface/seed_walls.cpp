@@ -108,13 +108,13 @@ bool colliding_traction(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o
 /// Material-material or material-rigid conditions at one surface point, if they hold. @returns whether.
 template <int Dim>
 bool try_join(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
-              const Index<Dim>& i, double kappa, double booked, Wall<Dim>& w) {
-  const GhostContact<Dim> c(v, m, o, i, w);
+              const Index<Dim>& i, double kappa, Wall<Dim>& w) {
+  const GhostContact<Dim> c(v, m, o, cut, i, w);
   double traction = 0;
   if (!colliding_traction(v, m, o, cut.point, i, kappa, c.direction, traction)) return false;
   if (!presses(traction, c.mine.velocity - c.theirs.velocity, c.was)) return false;
   const Touch t = c.rigid ? join_rigid(c.mine, c.theirs.velocity) : join(c.mine, c.theirs);
-  c.apply(v, m, o, cut, t, booked, w);
+  c.apply(v, m, o, cut, t, w);
   return true;
 }
 
@@ -122,10 +122,10 @@ bool try_join(const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const Cu
 
 template <int Dim>
 void find_seed_walls(State<Dim>& state, int slot, double kappa, double dt, double weight, Scratch& scratch) {
-  for_each_ghost_wall(state, slot, weight, scratch,
+  for_each_ghost_wall(state, slot, dt, weight, scratch,
                       [&](const SurfaceView<Dim>& v, int m, const Opposite<Dim>& o, const CutCell<Dim>& cut,
                           const Index<Dim>& i, Wall<Dim>& w) {
-                        if (!o.faces(w.normal) || !try_join(v, m, o, cut, i, kappa, weight * dt, w))
+                        if (!o.faces(w.normal) || !try_join(v, m, o, cut, i, kappa, w))
                           release(v.body(m).material, w);
                       });
 }

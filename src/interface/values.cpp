@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics/primitives.hpp"
+#include "interface/nearest_wall.hpp"
 #include "interface/walls.hpp"
 #include "levelset/distance.hpp"
 
@@ -11,8 +12,11 @@ namespace recoil {
 
 namespace {
 
-constexpr int layers = 3;      // ghost cells that a face reads on each side
-constexpr int wall_reach = 8;  // foot points lie up to 5 cells away, their walls 2 more
+constexpr int layers = 3;        // ghost cells that a face reads on each side
+constexpr int wall_reach = 8;    // foot points lie up to 5 cells away, their walls 2 more
+constexpr int walls_around = 2;  // cells between a foot point and its wall, along each axis
+// Of the density at the surface: how far that of a ghost leaves it at most. What is cut is counted.
+constexpr double deepest_rarefaction = 0.15, highest_compression = 0.3;
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
 
@@ -46,34 +50,6 @@ bool read_by_a_real_cell(const Window<Dim>& w, const std::uint8_t* role, const I
     for (int o = 1; o <= layers; ++o)
       if (((role[w.at(i) + o * w.stride(d)] | role[w.at(i) - o * w.stride(d)]) & regular) != 0) return true;
   return false;
-}
-
-/// The nearest wall with a fit to a foot point.
-template <int Dim>
-void attach_wall(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, const int* index,
-                 const Vec<Dim>& foot, GhostCell<Dim>& ghost) {
-  const Index<Dim> centre = state.grid().cell_of(foot);
-  Box<Dim> box;
-  for (int d = 0; d < Dim; ++d) {
-    box.lo[d] = std::max(centre[d] - 2, w.box().lo[d]);
-    box.hi[d] = std::min(centre[d] + 3, w.box().hi[d]);
-  }
-  double nearest = 1e300;
-  for_each(box, [&](const Index<Dim>& j) {
-    const int at = index[w.at(j)];
-    if (at < 0) return;
-    const auto from = w.source(j);
-    const auto& home = body.at(from.slot);
-    if (home.walls[at].donors == 0) return;
-    const Vec<Dim> r = foot - w.appear(j, from, home.geometry.cuts[at].point);
-    const double r2 = dot(r, r);
-    if (r2 >= nearest) return;
-    nearest = r2;
-    ghost.slot = from.slot;
-    ghost.wall = at;
-    ghost.flips = from.flips;
-    for (int d = 0; d < Dim; ++d) ghost.from_wall[d] = (from.flips >> d & 1U) != 0 ? -r[d] : r[d];
-  });
 }
 
 template <int Dim>
@@ -173,17 +149,6 @@ Primitives<Dim> centred(const Grid<Dim>& grid, const Material& material, const C
   return w;
 }
 
-/// The state of a wall in the frame of a ghost cell, continued to the foot point.
-template <int Dim>
-Primitives<Dim> wall_value(const Wall<Dim>& wall, const GhostCell<Dim>& ghost, double dx) {
-  using C = Components<Dim>;
-  Primitives<Dim> v = wall.value;
-  for (std::size_t c = C::u; c < C::ep; ++c) v[c] += dot(wall.gradient[c], ghost.from_wall) / dx;
-  if (ghost.flips != 0)
-    for (std::size_t c = 0; c < v.size(); ++c) v[c] *= component_sign<Dim>(static_cast<int>(c), ghost.flips);
-  return v;
-}
-
 /// Largest change of normal stress and of velocity that a ghost may show: what the donors of the fit differ
 /// by.
 template <int Dim>
@@ -199,14 +164,12 @@ double stress_range(const Wall<Dim>& wall) {
 
 template <int Dim>
 Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, const Wall<Dim>& wall,
-                            const GhostCell<Dim>& ghost) {
+                            const GhostCell<Dim>& ghost, Counters& counters) {
   using C = Components<Dim>;
   const Vec<Dim>& n = ghost.normal;
-  Primitives<Dim> v = wall_value(wall, ghost, grid.dx);
+  Primitives<Dim> v = continued_value(wall, ghost.from_wall, ghost.flips, grid.dx);
   const auto s = surface_state(material, v, n);
-  Vec<Dim> own = n;
-  for (int d = 0; d < Dim; ++d)
-    if ((ghost.flips >> d & 1U) != 0) own[d] = -own[d];
+  const Vec<Dim> own = flipped(n, ghost.flips);
   const auto g = resolve<Dim>(slope_along(wall, own, grid.dx), own);
   double speed2 = 0;
   for (int d = 0; d < Dim; ++d) speed2 += wall.range[C::u + d] * wall.range[C::u + d];
@@ -215,13 +178,14 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
   const double stress = wall.traction + std::clamp(g.stress * ghost.distance, -most_s, most_s);
   const double normal_velocity = s.velocity - s.stress / s.impedance + wall.traction / s.impedance + du;
   const double p0 = v[C::p], p = s.deviator - stress, rho = v[C::rho];
-  v[C::rho] = rho + std::clamp((p - p0) / sound_squared<Dim>(material, rho, p0), -0.15 * rho, 0.3 * rho);
+  const double change = (p - p0) / sound_squared<Dim>(material, rho, p0),
+               kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
+  if (kept != change) ++counters.clamped_ghost_densities;
+  v[C::rho] = rho + kept;
   v[C::p] = p;
   Change<Dim> x;
   x.normal_velocity = normal_velocity - s.velocity;
-  Vec<Dim> held = wall.shear;  // by friction, in the frame of the ghost
-  for (int d = 0; d < Dim; ++d)
-    if ((ghost.flips >> d & 1U) != 0) held[d] = -held[d];
+  Vec<Dim> held = flipped(wall.shear, ghost.flips);  // by friction, in the frame of the ghost
   held -= dot(held, n) * n;
   x.shear = held - s.shear;
   if (s.shear_impedance > 0) x.sliding = x.shear * (1 / s.shear_impedance);
@@ -268,7 +232,11 @@ void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Cells cel
     ghost.cell = cell;
     ghost.normal = foot.normal;
     ghost.distance = foot.distance;
-    attach_wall(state, body, w, index, foot.point, ghost);
+    const NearWall<Dim> near = nearest_wall(state, body, w, index, foot.point, walls_around);
+    ghost.slot = near.slot;
+    ghost.wall = near.wall;
+    ghost.flips = near.flips;
+    ghost.from_wall = near.from_wall;
     b.ghosts.push_back(ghost);
   });
 }
@@ -294,11 +262,11 @@ void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Cou
   }
   for (const GhostCell<Dim>& ghost : b.ghosts) {
     if (ghost.slot < 0) {
-      ++counters.cuts_without_donor;
+      ++counters.ghosts_without_wall;
       continue;
     }
     const Wall<Dim>& wall = body.at(ghost.slot).walls[ghost.wall];
-    store(b, n, ghost.cell, ghost_value(grid, body.material, wall, ghost));
+    store(b, n, ghost.cell, ghost_value(grid, body.material, wall, ghost, counters));
     b.role[ghost.cell] |= valued;
   }
 }

@@ -1,13 +1,15 @@
 #include "interface/walls.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "contact/friction.hpp"
 #include "contact/touch.hpp"
-#include "cutcell/geometry.hpp"
 #include "dynamics/primitives.hpp"
+#include "interface/surface_view.hpp"
+#include "state/contact_sums.hpp"
 
 namespace recoil {
 
@@ -19,6 +21,17 @@ constexpr double kept_contact_gap =
 constexpr double welded_gap = 0.01;  // glued bodies that are this near [dx] hold each other
 constexpr double small_face =
     0.1;  // of dx^(Dim-1): a smaller part of a surface takes its normal from elsewhere
+constexpr double no_direction =
+    1e-14;  // of dx^(Dim-1): surfaces whose area vectors differ by less do not face each other
+constexpr double least_shared = 1e-12;  // of a face: a smaller common area is no contact
+constexpr double nothing_left = 1e-6;   // of a face: a smaller rest of a surface moves with what touches it
+constexpr double rigid_slack =
+    1.0000001;  // of a rigid surface's area: what can be shared in spite of rounding
+
+constexpr std::size_t most_pairs = most_bodies * (most_bodies - 1) / 2;
+
+/// What the walls look at: the cells next to the block, rigid bodies exactly.
+constexpr Sight wall_sight{1, PhiAt::now, false, false};
 
 /// One body's fragment of the cell at hand.
 template <int Dim>
@@ -32,60 +45,25 @@ struct Side {
   Vec<Dim> touched_velocity;  // of that area
 };
 
+/// The fragments of all bodies in one cell.
 template <int Dim>
-struct Around {
-  State<Dim>& state;
-  int slot;
-  Window<Dim> window;
-  double dt, booked, area;         // dx^(Dim-1)
-  std::vector<const double*> phi;  // by body, in the window; null where absent
-  std::vector<const std::uint32_t*> contact;
-  std::vector<RigidPose<Dim>> pose;  // by body, of rigid ones
+struct Cluster {
+  std::array<Side<Dim>, most_bodies> side;
+  std::size_t count = 0;
+  Index<Dim> cell;  // global
+  double face = 0;  // dx^(Dim-1), r-weighted in an axisymmetric domain
 
-  /// phi of a body at x: exact of a rigid one, whose other side may be near.
-  double distance(int m, const Vec<Dim>& x) const {
-    const auto k = static_cast<std::size_t>(m);
-    const Body<Dim>& body = state.bodies[k];
-    return body.rigid ? distance_at(*body.rigid, pose[k], x)
-                      : interpolate(state.grid(), window.box(), phi[k], x);
-  }
-  double dx() const { return state.grid().dx; }
+  void add(const Side<Dim>& s) { side[count++] = s; }
 };
 
+/// A block in one stage.
 template <int Dim>
-Around<Dim> look_around(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch) {
-  Around<Dim> a{state, slot,        Window<Dim>(state.mesh, slot, 1),
-                dt,    weight * dt, state.grid().dx_power(Dim - 1),
-                {},    {},          {}};
-  const auto n = static_cast<std::size_t>(a.window.size());
-  for (const Body<Dim>& body : state.bodies) {
-    a.phi.push_back(nullptr);
-    a.contact.push_back(nullptr);
-    a.pose.push_back(body.rigid ? pose_after(*body.rigid, 0) : RigidPose<Dim>{});
-    if (!body.present(slot) || body.rigid) continue;
-    double* phi = scratch.take<double>(n);
-    a.window.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; },
-                    far_cells * a.dx(), Beyond::extend, phi);
-    a.phi.back() = phi;
-    auto* contact = scratch.take<std::uint32_t>(n);
-    a.window.gather([&](int s) { return body.present(s) ? body.at(s).contact.data() : nullptr; },
-                    std::uint32_t{0}, Beyond::extend, contact);
-    a.contact.back() = contact;
-  }
-  return a;
-}
+struct BlockStage {
+  SurfaceView<Dim> view;
+  double dt, area;  // s, dx^(Dim-1)
 
-/// Whether a body touched a partner in the last step in this cell or one around it.
-template <int Dim>
-bool was_in_contact(const Around<Dim>& a, int body, int partner, const Index<Dim>& i) {
-  const std::uint32_t* bits = a.contact[body];
-  if (!bits) return false;
-  Box<Dim> box{i, i};
-  for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
-  bool found = false;
-  for_each(box, [&](const Index<Dim>& j) { found = found || (bits[a.window.at(j)] >> partner & 1U) != 0; });
-  return found;
-}
+  State<Dim>& state() const { return view.state; }
+};
 
 /// What a part of the wall with this area vector, velocity and traction force does to a fragment.
 template <int Dim>
@@ -99,40 +77,36 @@ void act(Side<Dim>& s, const Vec<Dim>& force, double power, const Vec<Dim>& velo
 
 /// Direction from the first body into the second, and the area that their surfaces share.
 template <int Dim>
-double shared_area(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, Vec<Dim>& e) {
+double shared_area(const BlockStage<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, Vec<Dim>& e) {
   if (second.rigid) {
-    const auto k = static_cast<std::size_t>(second.body);
-    e = -rigid_normal(a.state.grid(), *a.state.bodies[k].rigid, a.pose[k], first.cut->point);
+    const Grid<Dim>& grid = a.state().grid();
+    e = -rigid_normal(grid, *a.view.body(second.body).rigid, a.view.pose[second.body], first.cut->point);
     const double own = dot(first.rest, e);
-    return a.state.grid().axisymmetric ? own : std::min(own, norm(second.cut->surface) * 1.0000001);
+    return grid.axisymmetric ? own : std::min(own, norm(second.cut->surface) * rigid_slack);
   }
   const Vec<Dim> difference = first.rest - second.rest;
-  if (norm(difference) < 1e-14 * a.area) return 0;
+  if (norm(difference) < no_direction * a.area) return 0;
   e = unit(difference);
   return std::min(dot(first.rest, e), -dot(second.rest, e));
 }
 
+/// Adds a contact to the list of the block.
 template <int Dim>
-void record(const Around<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, const Touch& t,
-            const ShearContact<Dim>& g, const Vec<Dim>& e, double area, double gap) {
-  auto& ledger = a.state.ledger[a.slot];
-  const bool in_order = first.body < second.body;
-  PairRecord<Dim>& r = ledger.pairs[pair_number(std::min(first.body, second.body),
-                                                std::max(first.body, second.body), a.state.count())];
-  const double sign = in_order ? 1.0 : -1.0;
-  const Vec<Dim> force = (sign * area) * (t.traction * e + g.traction);
-  const double power = sign * area * (t.traction * t.work_velocity + dot(g.traction, g.work_velocity));
-  r.exchanged.momentum += a.booked * force;
-  r.moment += a.booked * cross(first.cut->point, force);
-  r.exchanged.energy += a.booked * power;
-  r.area += area;
-  r.force += force;
-  r.traction += t.traction * area;
-  r.velocity += t.work_velocity * area;
-  r.gap += gap * area;
-  r.place += first.cut->point * area;
-  r.widest_gap = std::max(r.widest_gap, gap / a.dx());
-  r.deepest_overlap = std::min(r.deepest_overlap, gap / a.dx());
+void note(const BlockStage<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, const Touch& t,
+          const ShearContact<Dim>& g, const Vec<Dim>& e, double area, double gap) {
+  a.state().contacts[a.view.slot].push_back({.cell = first.cut->cell,
+                                             .first = first.body,
+                                             .second = second.body,
+                                             .one_sided = false,
+                                             .direction = e,
+                                             .point = first.cut->point,
+                                             .area = area,
+                                             .traction = t.traction,
+                                             .shear = g.traction,
+                                             .work_velocity = t.work_velocity,
+                                             .shear_velocity = g.work_velocity,
+                                             .slip = g.first_velocity - g.second_velocity,
+                                             .gap = gap});
 }
 
 template <int Dim>
@@ -165,19 +139,18 @@ ShearSide<Dim> shear_side(const SurfaceState<Dim>& s) {
 }
 
 template <int Dim>
-void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double gap, const Index<Dim>& i,
-              double face) {
+void try_pair(const BlockStage<Dim>& a, Side<Dim>& first, Side<Dim>& second, double gap,
+              const Cluster<Dim>& c) {
   Vec<Dim> e;
   const double area = shared_area(a, first, second, e);
-  if (area <= 1e-12 * face) return;
-  const auto& bodies = a.state.bodies;
-  const Body<Dim>&one = bodies[first.body], &other = bodies[second.body];
-  const bool was =
-      was_in_contact(a, first.body, second.body, i) || was_in_contact(a, second.body, first.body, i);
-  const ContactLaw& law = a.state.contact[pair_number(std::min(first.body, second.body),
-                                                      std::max(first.body, second.body), a.state.count())];
-  const bool glued = law.mode == ContactLaw::Mode::bonded && (was || std::abs(gap) < welded_gap * a.dx());
-  const double gap_speed = glued || (was && gap < kept_contact_gap * a.dx()) ? 0 : std::max(gap, 0.0) / a.dt;
+  if (area <= least_shared * c.face) return;
+  const Body<Dim>&one = a.view.body(first.body), &other = a.view.body(second.body);
+  const bool was = a.view.was_in_contact(first.body, second.body, c.cell);
+  const ContactLaw& law = a.state().contact[pair_number(
+      std::min(first.body, second.body), std::max(first.body, second.body), a.state().count())];
+  const double dx = a.view.dx();
+  const bool glued = law.mode == ContactLaw::Mode::bonded && (was || std::abs(gap) < welded_gap * dx);
+  const double gap_speed = glued || (was && gap < kept_contact_gap * dx) ? 0 : std::max(gap, 0.0) / a.dt;
   const auto s = surface_state(one.material, first.wall->value, e);
   const ContactSide mine{s.velocity, s.stress, s.impedance};
   if (second.rigid) {
@@ -187,7 +160,7 @@ void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double 
     if (!t.touching) return;
     const ShearContact<Dim> g = shear_contact_rigid(shear_side(s), wall - along * e, shear_limit(law, t));
     touch_part(first, second.body, e, 1, t.first_velocity * e + g.first_velocity, t, g, area);
-    record(a, first, second, t, g, e, area, gap);
+    note(a, first, second, t, g, e, area, gap);
     return;
   }
   const auto r = surface_state(other.material, second.wall->value, e);
@@ -196,52 +169,52 @@ void try_pair(const Around<Dim>& a, Side<Dim>& first, Side<Dim>& second, double 
   const ShearContact<Dim> g = shear_contact(shear_side(s), shear_side(r), shear_limit(law, t));
   touch_part(first, second.body, e, 1, t.first_velocity * e + g.first_velocity, t, g, area);
   touch_part(second, first.body, e, -1, t.second_velocity * e + g.second_velocity, t, g, area);
-  record(a, first, second, t, g, e, area, gap);
+  note(a, first, second, t, g, e, area, gap);
 }
 
 /// All pairs that meet in a cell, smallest gap first: each takes what the ones before have left of the
 /// surfaces.
 template <int Dim>
-void touch_all(const Around<Dim>& a, std::vector<Side<Dim>>& sides, const Index<Dim>& i, double face) {
+void touch_all(const BlockStage<Dim>& a, Cluster<Dim>& c) {
   struct Pair {
     double gap;
     std::size_t first, second;
   };
-  std::array<Pair, 16> pairs{};
+  std::array<Pair, most_pairs> pairs;  // room for all that there can be; the first n are set
   std::size_t n = 0;
-  for (std::size_t m = 0; m < sides.size(); ++m)
-    for (std::size_t q = m + 1; q < sides.size(); ++q) {
-      if (sides[m].rigid && sides[q].rigid) continue;
-      const bool swap = sides[m].rigid;
-      const Side<Dim>& first = sides[swap ? q : m];
-      const double gap =
-          a.distance(sides[m].body, first.cut->point) + a.distance(sides[q].body, first.cut->point);
-      if (gap <= touching_gap * a.dx() && n < pairs.size()) pairs[n++] = {gap, swap ? q : m, swap ? m : q};
+  for (std::size_t m = 0; m < c.count; ++m)
+    for (std::size_t q = m + 1; q < c.count; ++q) {
+      const Side<Dim>&one = c.side[m], &other = c.side[q];
+      if (one.rigid && other.rigid) continue;
+      const bool swap = one.rigid;
+      const Vec<Dim>& x = (swap ? other : one).cut->point;
+      const double gap = a.view.distance(one.body, x) + a.view.distance(other.body, x);
+      if (!(gap <= touching_gap * a.view.dx())) continue;
+      std::size_t at = n++;  // after those with the same gap
+      for (; at > 0 && gap < pairs[at - 1].gap; --at) pairs[at] = pairs[at - 1];
+      pairs[at] = {gap, swap ? q : m, swap ? m : q};
     }
-  std::stable_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(n),
-                   [](const Pair& x, const Pair& y) { return x.gap < y.gap; });
   for (std::size_t k = 0; k < n; ++k)
-    try_pair(a, sides[pairs[k].first], sides[pairs[k].second], pairs[k].gap, i, face);
+    try_pair(a, c.side[pairs[k].first], c.side[pairs[k].second], pairs[k].gap, c);
 }
 
 /// What no partner has touched is free: no traction, velocity u - sigma/Z n - tau/Z_s.
 template <int Dim>
-void free_part(const Around<Dim>& a, Side<Dim>& s, const Index<Dim>& i, double face) {
+void free_part(const BlockStage<Dim>& a, Side<Dim>& s, const Cluster<Dim>& c) {
   Wall<Dim>& w = *s.wall;
   const double whole = norm(s.cut->surface), rest = norm(s.rest);
   const bool contact = w.partners != 0;
-  if (contact && rest < 1e-6 * face) {
+  if (contact && rest < nothing_left * c.face) {
     w.volume_rate += dot(s.touched_velocity, s.rest);
     w.velocity = s.touched_velocity;
     return;
   }
   Vec<Dim> velocity;
-  if (contact && rest <= small_face * face) {
+  if (contact && rest <= small_face * c.face) {
     velocity = w.face_velocity;
   } else {
-    Vec<Dim> n =
-        rest > small_face * face ? s.rest * (1 / rest) : phi_normal(a.window.box(), a.phi[s.body], i, a.dx());
-    const Material& material = a.state.bodies[s.body].material;
+    const Vec<Dim> n = rest > small_face * c.face ? s.rest * (1 / rest) : a.view.normal(s.body, c.cell);
+    const Material& material = a.view.body(s.body).material;
     const auto state = surface_state(material, w.value, n);
     velocity = free_velocity(state.velocity, state.stress, state.impedance) * n + state.sliding -
                shear_recoil(state);
@@ -264,6 +237,55 @@ void reset(Wall<Dim>& w) {
   w.force = {};
   w.power = 0;
   w.stretching = {};
+}
+
+/// Empties the walls of a block. @returns whether there are any.
+template <int Dim>
+bool reset_walls(State<Dim>& state, int slot) {
+  bool any = false;
+  for (Body<Dim>& body : state.bodies) {
+    if (body.rigid || !body.present(slot)) continue;
+    for (Wall<Dim>& w : body.at(slot).walls) reset(w);
+    any = any || !body.at(slot).walls.empty();
+  }
+  return any;
+}
+
+/// Gathers the fragments in the cell of a cut cell of body m. @returns false where a lower-numbered
+/// deformable body has done it already.
+template <int Dim>
+bool gather_sides(State<Dim>& state, int slot, int m, int cell, Cluster<Dim>& c) {
+  c.count = 0;
+  for (int q = 0; q < state.count(); ++q) {
+    Body<Dim>& body = state.bodies[q];
+    if (!body.present(slot)) continue;
+    BodyBlock<Dim>& b = body.at(slot);
+    const int at = b.geometry.index[cell];
+    if (at < 0) continue;
+    if (!body.rigid && q < m) return false;
+    const CutCell<Dim>& cut = b.geometry.cuts[at];
+    c.add({q, body.rigid.has_value(), &cut, body.rigid ? nullptr : &b.walls[at], cut.surface, 0, {}});
+  }
+  return true;
+}
+
+template <int Dim>
+void find_all(const BlockStage<Dim>& a) {
+  State<Dim>& state = a.state();
+  const int slot = a.view.slot;
+  Cluster<Dim> c;
+  for (int m = 0; m < state.count(); ++m) {
+    const Body<Dim>& body = state.bodies[m];
+    if (body.rigid || !body.present(slot)) continue;
+    for (const CutCell<Dim>& cut : body.at(slot).geometry.cuts) {
+      if (!gather_sides(state, slot, m, cut.cell, c)) continue;
+      c.cell = a.view.window.index_of(cut.cell);
+      c.face = a.area * state.grid().radius(c.cell[0]);
+      if (c.count > 1) touch_all(a, c);
+      for (std::size_t k = 0; k < c.count; ++k)
+        if (!c.side[k].rigid) free_part(a, c.side[k], c);
+    }
+  }
 }
 
 }  // namespace
@@ -307,50 +329,10 @@ SurfaceState<Dim> surface_state(const Material& material, const Primitives<Dim>&
 
 template <int Dim>
 void find_walls(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch) {
-  auto& ledger = state.ledger[slot];
-  for (auto& p : ledger.pairs) {
-    const Account<Dim> kept = p.exchanged;
-    const Vec<3> moment = p.moment;
-    p = {};
-    p.exchanged = kept;
-    p.moment = moment;
-  }
-  bool any = false;
-  for (Body<Dim>& body : state.bodies) {
-    if (body.rigid || !body.present(slot)) continue;
-    for (Wall<Dim>& w : body.at(slot).walls) reset(w);
-    any = any || !body.at(slot).walls.empty();
-  }
-  if (!any) return;
-  const Around<Dim> a = look_around(state, slot, dt, weight, scratch);
-  const Box<Dim> layout = state.grid().layout();
-  std::vector<Side<Dim>> sides;
-  for (int m = 0; m < state.count(); ++m) {
-    Body<Dim>& body = state.bodies[m];
-    if (body.rigid || !body.present(slot)) continue;
-    for (const CutCell<Dim>& cut : body.at(slot).geometry.cuts) {
-      const auto cell = static_cast<std::size_t>(cut.cell);
-      sides.clear();
-      bool mine = true;  // a cell is done with its lowest deformable body
-      for (int q = 0; q < state.count() && mine; ++q) {
-        Body<Dim>& other = state.bodies[q];
-        if (!other.present(slot)) continue;
-        BodyBlock<Dim>& b = other.at(slot);
-        const int at = b.geometry.index[cell];
-        if (at < 0) continue;
-        if (!other.rigid && q < m) mine = false;
-        const CutCell<Dim>& c = b.geometry.cuts[at];
-        sides.push_back(
-            {q, other.rigid.has_value(), &c, other.rigid ? nullptr : &b.walls[at], c.surface, 0, {}});
-      }
-      if (!mine) continue;
-      const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
-      const double face = a.area * state.grid().radius(i[0]);
-      if (sides.size() > 1) touch_all(a, sides, i, face);
-      for (Side<Dim>& s : sides)
-        if (!s.rigid) free_part(a, s, i, face);
-    }
-  }
+  state.contacts[slot].clear();
+  if (reset_walls(state, slot))
+    find_all<Dim>({view_surfaces(state, slot, wall_sight, scratch), dt, state.grid().dx_power(Dim - 1)});
+  book_contacts(state, slot, weight * dt);
   for (Body<Dim>& body : state.bodies)
     if (!body.rigid && body.present(slot))
       for (Wall<Dim>& w : body.at(slot).walls) w.mean_velocity += weight * w.velocity;

@@ -246,6 +246,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
     for (std::size_t b = a + 1; b < n; ++b)
       state.contact.push_back(contact_law(c.contact.between(c.bodies[a].name, c.bodies[b].name)));
   state.ledger.resize(static_cast<std::size_t>(state.mesh.local()));
+  state.contacts.resize(state.ledger.size());
   for (auto& l : state.ledger) {
     l.pairs.resize(n * (n - 1) / 2);
     l.edges.resize(n);

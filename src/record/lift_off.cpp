@@ -17,19 +17,12 @@ void LiftOffWatch<Dim>::note(const State<Dim>& state) {
   if (Dim == 1) return;
   const auto n = static_cast<std::size_t>(state.grid().layout().size());
   for (int slot = 0; slot < state.mesh.local(); ++slot)
-    for (int m = 0; m < state.count(); ++m) {
-      const Body<Dim>& body = state.bodies[m];
-      if (body.rigid || !body.present(slot)) continue;
-      const BodyBlock<Dim>& b = body.at(slot);
-      for (std::size_t w = 0; w < std::min(b.walls.size(), b.geometry.cuts.size()); ++w)
-        for (std::uint32_t bits = b.walls[w].partners; bits != 0; bits &= bits - 1) {
-          const int other = __builtin_ctz(bits), lower = std::min(m, other), higher = std::max(m, other);
-          Touched& t = touched_[{slot, pair_number(lower, higher, state.count())}];
-          if (t.step.empty()) t = {lower, higher, std::vector<long>(n, -1), std::vector<double>(n, 0.0)};
-          const auto cell = static_cast<std::size_t>(b.geometry.cuts[w].cell);
-          t.step[cell] = state.step;
-          t.time[cell] = state.time;
-        }
+    for (const Contact<Dim>& c : state.contacts[slot]) {
+      const int lower = std::min(c.first, c.second), higher = std::max(c.first, c.second);
+      Touched& t = touched_[{slot, pair_number(lower, higher, state.count())}];
+      if (t.step.empty()) t = {lower, higher, std::vector<long>(n, -1), std::vector<double>(n, 0.0)};
+      t.step[c.cell] = state.step;
+      t.time[c.cell] = state.time;
     }
 }
 

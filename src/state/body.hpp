@@ -5,6 +5,7 @@
 
 #include "field/window.hpp"
 #include "material/material.hpp"
+#include "state/contact_list.hpp"
 #include "state/cut_cell.hpp"
 #include "state/rigid_motion.hpp"
 
@@ -119,9 +120,10 @@ template <int Dim>
 struct State {
   Mesh<Dim> mesh;
   std::vector<Body<Dim>> bodies;
-  std::vector<BlockLedger<Dim>> ledger;  // by local slot
-  std::vector<ContactLaw> contact;       // by pair_number
-  double time = 0;                       // s
+  std::vector<BlockLedger<Dim>> ledger;      // by local slot
+  std::vector<ContactLaw> contact;           // by pair_number
+  std::vector<ContactList<Dim>> contacts{};  // of the latest stage, by local slot
+  double time = 0;                           // s
   long step = 0;
   double travel = 0;  // of surfaces since the last full redistancing [m]
   FieldSet stale{};   // fields that have changed since this process last got copies of others' blocks

@@ -60,6 +60,7 @@ State<Dim> make_test_state(const Grid<Dim>& grid, const std::vector<Distance<Dim
   const auto n = state.bodies.size();
   state.contact.resize(n * (n - 1) / 2);
   state.ledger.resize(static_cast<std::size_t>(state.mesh.local()));
+  state.contacts.resize(state.ledger.size());
   for (auto& l : state.ledger) {
     l.pairs.resize(n * (n - 1) / 2);
     l.edges.resize(n);

@@ -81,6 +81,9 @@ TYPED_TEST(Values, EveryFaceFindsItsValues) {
   EXPECT_EQ(p.counters.faces_without_value, 0);
   EXPECT_EQ(p.counters.first_order_faces, 0);
   EXPECT_EQ(p.counters.cuts_without_donor, 0);
+  EXPECT_EQ(p.counters.ghosts_without_wall, 0);
+  EXPECT_EQ(p.counters.clamped_fit_densities, 0);
+  EXPECT_EQ(p.counters.clamped_ghost_densities, 0);
 }
 
 /// Beyond a free surface of a stressed body: no traction, and the recoil u - sigma/Z n - tau/Z_s.
@@ -160,6 +163,27 @@ TYPED_TEST(Values, GhostsOfATurningBodyTurnWithIt) {
       ASSERT_LT(norm(s.sliding - (u - dot(u, this->normal) * this->normal)), 0.1 * 40) << "a tenth of a cell";
     });
     EXPECT_GT(ghosts, 20);
+  }
+}
+
+/// The density beyond a wall follows the stress only so far; where it is cut, that is counted. So is a ghost
+/// without a wall.
+TYPED_TEST(Values, WhatIsCutOrMissingIsCounted) {
+  constexpr int dim = TestFixture::dim;
+  for (const double speed : {50.0, 20000.0}) {
+    Prepared<dim> p(this->grid,
+                    {half_space(this->middle, this->normal), half_space(this->middle, -this->normal)},
+                    {moving<dim>(this->material, speed * this->normal), moving<dim>(this->material, {})});
+    fill_values(p);
+    EXPECT_EQ(p.counters.clamped_ghost_densities > 0, speed > 1000);
+    EXPECT_EQ(p.counters.ghosts_without_wall, 0);
+    ASSERT_FALSE(p.state.bodies[0].at(0).ghosts.empty() && p.state.bodies[0].at(1).ghosts.empty());
+    for (auto& b : p.state.bodies[0].blocks)
+      for (GhostCell<dim>& ghost : b.ghosts) ghost.slot = -1;
+    Counters lone;
+    for (int s = 0; s < p.state.mesh.local(); ++s) fill_stencil_values(p.state, p.state.bodies[0], s, lone);
+    EXPECT_GT(lone.ghosts_without_wall, 0);
+    EXPECT_EQ(lone.cuts_without_donor, 0);
   }
 }
 

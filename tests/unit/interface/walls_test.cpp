@@ -346,6 +346,65 @@ TYPED_TEST(Walls, ContactIsRemembered) {
   }
 }
 
+/// The list names every contact once, with what its walls bear.
+TYPED_TEST(Walls, TheListAgreesWithTheWalls) {
+  constexpr int dim = TestFixture::dim;
+  Vec<dim> along;
+  if constexpr (dim > 1) {
+    along[0] = -this->normal[1];
+    along[1] = this->normal[0];
+  }
+  auto p = this->facing(-0.1, moving<dim>(this->material, 60.0 * this->normal + 300.0 * along),
+                        moving<dim>(this->material, {}));
+  p.state.contact[0] = {ContactLaw::Mode::friction, 0.3};
+  find_all(p, this->dt);
+  find_all(p, this->dt);
+  int listed = 0, walls = 0;
+  for (int s = 0; s < p.state.mesh.local(); ++s)
+    for (const Contact<dim>& c : p.state.contacts[s]) {
+      ++listed;
+      const auto& b = p.state.bodies[c.first].at(s);
+      const Wall<dim>& w = b.walls[b.geometry.index[c.cell]];
+      ASSERT_EQ(c.first, 0);
+      ASSERT_EQ(c.second, 1);
+      ASSERT_FALSE(c.one_sided);
+      ASSERT_EQ(c.traction, w.traction);
+      ASSERT_EQ(c.shear, w.shear);
+      ASSERT_EQ(c.direction, w.normal);
+      ASSERT_LT(norm(c.area * (c.traction * c.direction + c.shear) - w.force), 1e-12 * norm(w.force));
+      ASSERT_NEAR(c.slip == Vec<dim>{} ? 0 : dot(c.slip, unit(along)), dim == 1 ? 0 : norm(c.slip),
+                  1e-3 * norm(c.slip));
+      ASSERT_NEAR(c.gap, -0.1 * this->grid.dx, 0.06 * this->grid.dx);
+    }
+  p.for_each_wall(
+      0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>&) { walls += w.partners != 0; });
+  EXPECT_GT(listed, 0);
+  EXPECT_EQ(listed, walls);
+}
+
+/// However many bodies share a cell, no pair is left out: of seven only the last two meet.
+TEST(WallsOfMany, NoPairIsLeftOut) {
+  const auto grid = make_test_grid<2>(20, 10, Edge::outflow, true);
+  const auto material = samples::copper();
+  const Vec<2> middle = middle_of(grid) + Vec<2>{{0.07, 0.11}};
+  std::vector<Distance<2>> shapes(6, half_space(middle, Vec<2>{{0, 1}}));
+  shapes.push_back(half_space(middle, Vec<2>{{0, -1}}));
+  std::vector<Primitives<2>> states(5, moving<2>(material, {{0, -500}}));  // these recede
+  states.push_back(moving<2>(material, {{0, 80}}));
+  states.push_back(moving<2>(material, {}));
+  Prepared<2> p(grid, shapes, states);
+  find_all(p, 1e-5);
+  for (int a = 0; a < 7; ++a)
+    for (int b = a + 1; b < 7; ++b) {
+      double area = 0;
+      for (const auto& l : p.state.ledger) area += l.pairs[pair_number(a, b, 7)].area;
+      if (a == 5)
+        EXPECT_GT(area, 15 * grid.dx);
+      else
+        EXPECT_EQ(area, 0) << a << ' ' << b;
+    }
+}
+
 /// Two bodies side by side on a third: the pairs share the cell's area, and all forces balance.
 TEST(WallsOfThree, ForcesOfAllPairsBalance) {
   const auto grid = make_test_grid<2>(20, 10, Edge::outflow, true);

@@ -28,21 +28,23 @@ shape = { kind = "box", x = ["0 mm", "4 mm"], y = ["2.1 mm", "4 mm"] }
 
 /// One block of 16 x 16 cells whose row 8 is cut for both bodies; the cells [0, touching) of it touch.
 void set_contact(State<2>& state, int touching, bool second_near = true, double gap = 0.2) {
+  state.contacts[0].clear();
+  for (int i = 0; i < touching; ++i) {
+    Contact<2>& c = state.contacts[0].emplace_back();
+    c.cell = 8 * 16 + i;
+    c.second = 1;
+  }
   for (std::size_t m = 0; m < 2; ++m) {
     auto& b = state.bodies[m].at(0);
     std::fill(b.phi.begin(), b.phi.end(), 0.5 * gap * 0.25e-3);  // cells, far from the truth elsewhere
     b.geometry.cuts.clear();
-    b.walls.clear();
     std::fill(b.geometry.index.begin(), b.geometry.index.end(), -1);
     if (m == 1 && !second_near) continue;
     for (int i = 0; i < 16; ++i) {
       CutCell<2> cut;
       cut.cell = 8 * 16 + i;
-      Wall<2> wall;
-      wall.partners = i < touching ? 2U >> m : 0U;
       b.geometry.index[cut.cell] = i;
       b.geometry.cuts.push_back(cut);
-      b.walls.push_back(wall);
     }
   }
 }
