@@ -55,7 +55,7 @@ SurfaceView<Dim> view_surfaces(State<Dim>& state, int slot, const Sight& sight, 
                      scratch.take_filled<const int*>(n, nullptr),
                      scratch.take_filled<RigidPose<Dim>>(n, RigidPose<Dim>{})};
   const auto phi_of = [&](const Block& b) -> const auto& {
-    return sight.when == PhiAt::midstep ? b.phi_next : b.phi;
+    return sight.when == PhiAt::midstep ? b.phi_midstep : b.phi;
   };
   for (std::size_t m = 0; m < n; ++m) {
     const Body<Dim>& body = state.bodies[m];

@@ -1,4 +1,4 @@
-#include "state/share.hpp"
+#include "state/exchange_fields.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 /// Run by mpirun with two and three processes.
 template <class D>
-struct MpiShare : testing::Test {
+struct MpiExchange : testing::Test {
   static constexpr int dim = D::value;
   void SetUp() override {
     if (!several_processes()) GTEST_SKIP() << "for mpirun";
@@ -37,7 +37,7 @@ struct MpiShare : testing::Test {
   static void fill(BodyBlock<dim>& b, long order, bool rigid) {
     const auto number = static_cast<double>(order);
     std::fill(b.phi.begin(), b.phi.end(), 0.5 + number);
-    std::fill(b.phi_next.begin(), b.phi_next.end(), 0.25 + number);
+    std::fill(b.phi_midstep.begin(), b.phi_midstep.end(), 0.25 + number);
     b.geometry.cuts.resize(static_cast<std::size_t>(order % 5));  // blocks send different amounts
     for (CutCell<dim>& cut : b.geometry.cuts) cut.volume = 3 + number;
     b.near_surface = order % 4 == 0;
@@ -48,13 +48,15 @@ struct MpiShare : testing::Test {
     std::fill(b.contact.begin(), b.contact.end(), static_cast<std::uint32_t>(order));
   }
 };
-TYPED_TEST_SUITE(MpiShare, Dimensions);
+TYPED_TEST_SUITE(MpiExchange, Dimensions);
 
-TYPED_TEST(MpiShare, CopiesHoldWhatTheirOwnersHave) {
+TYPED_TEST(MpiExchange, CopiesHoldWhatTheirOwnersHave) {
   constexpr int dim = TestFixture::dim;
   State<dim> state = TestFixture::make();
   const parallel::World world;
-  share(state, world, part_phi | part_phi_next | part_matter | part_geometry | part_contact);
+  exchange_fields(state, world,
+                  Field::phi | Field::phi_midstep | Field::contents | Field::volume | Field::geometry |
+                      Field::walls | Field::contact);
   ASSERT_GT(state.mesh.slots(), state.mesh.local()) << "there are copies";
   int held = 0;
   for (int s = state.mesh.local(); s < state.mesh.slots(); ++s)
@@ -66,8 +68,8 @@ TYPED_TEST(MpiShare, CopiesHoldWhatTheirOwnersHave) {
       if (!b.present) continue;
       ++held;
       EXPECT_EQ(b.near_surface, order % 4 == 0);
-      EXPECT_EQ(b.phi, std::vector<double>(b.phi.size(), 0.5 + number));
-      EXPECT_EQ(b.phi_next, std::vector<double>(b.phi.size(), 0.25 + number));
+      EXPECT_EQ(b.phi.raw(), std::vector<double>(b.phi.size(), 0.5 + number));
+      EXPECT_EQ(b.phi_midstep.raw(), std::vector<double>(b.phi.size(), 0.25 + number));
       ASSERT_EQ(b.geometry.cuts.size(), static_cast<std::size_t>(order % 5));
       for (const CutCell<dim>& cut : b.geometry.cuts) EXPECT_EQ(cut.volume, 3 + number);
       if (rigid) {
@@ -76,7 +78,7 @@ TYPED_TEST(MpiShare, CopiesHoldWhatTheirOwnersHave) {
       }
       ASSERT_EQ(b.walls.size(), b.geometry.cuts.size());
       for (const Wall<dim>& w : b.walls) EXPECT_EQ(w.traction, -1 - number);
-      EXPECT_EQ(b.contents, std::vector<double>(b.contents.size(), 2 + number));
+      EXPECT_EQ(b.contents.raw(), std::vector<double>(b.contents.size(), 2 + number));
       for (const std::uint32_t bits : b.contact) EXPECT_EQ(bits, static_cast<std::uint32_t>(order));
     }
   std::vector<std::int64_t> all{held};
@@ -85,20 +87,20 @@ TYPED_TEST(MpiShare, CopiesHoldWhatTheirOwnersHave) {
 }
 
 /// Only what is asked for goes over; a body that has left its block leaves the copies as well.
-TYPED_TEST(MpiShare, PartsAndPresence) {
+TYPED_TEST(MpiExchange, FieldsAndPresence) {
   constexpr int dim = TestFixture::dim;
   State<dim> state = TestFixture::make();
   const parallel::World world;
-  share(state, world, part_phi);
+  exchange_fields(state, world, Field::phi);
   for (int s = state.mesh.local(); s < state.mesh.slots(); ++s) {
     const BodyBlock<dim>& b = state.bodies[0].at(s);
     if (!b.present) continue;
     EXPECT_EQ(b.phi[0], 0.5 + static_cast<double>(state.mesh.block(s).order));
-    EXPECT_EQ(b.contents, std::vector<double>(b.contents.size(), 0.0)) << "not asked for";
+    EXPECT_EQ(b.contents.raw(), std::vector<double>(b.contents.size(), 0.0)) << "not asked for";
     EXPECT_TRUE(b.geometry.cuts.empty());
   }
   for (int s = 0; s < state.mesh.local(); ++s) leave_block(state.bodies[0], s);
-  share(state, world, part_matter);
+  exchange_fields(state, world, Field::contents | Field::volume);
   for (int s = state.mesh.local(); s < state.mesh.slots(); ++s) {
     EXPECT_FALSE(state.bodies[0].present(s));
     EXPECT_EQ(state.bodies[1].present(s), state.mesh.block(s).order % 2 == 0);
