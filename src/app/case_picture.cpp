@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "config/read_shape.hpp"
+#include "config/geometry.hpp"
 #include "picture/plot.hpp"
 #include "problem/shape.hpp"
 

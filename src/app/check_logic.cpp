@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <variant>
 
 #include "app/estimate.hpp"
 #include "app/load_case.hpp"
-#include "config/read_shape.hpp"
+#include "config/geometry.hpp"
 #include "material/lint.hpp"
 #include "problem/shape.hpp"
 #include "problem/start.hpp"
@@ -18,44 +19,17 @@ namespace {
 using config::Body;
 using config::Case;
 using config::Gauge;
-using config::Geometry;
-using config::Shape;
 
 /// Cells across the thinnest part that a body needs before its waves keep their plateau: with 20 a flyer
 /// leaves 5 % too slowly, with 4 a third.
 constexpr double cells_needed = 20;
-
-/// Smallest extent of a plain shape [m]; infinite where the shape does not tell.
-double thickness(const Shape& s, const config::Domain& domain) {
-  const int dim = config::dimension(domain.geometry);
-  const bool axisymmetric = domain.geometry == Geometry::axisymmetric;
-  double least = 1e300;
-  switch (s.kind) {
-    case Shape::Kind::box:
-      for (std::size_t d = 0; d < static_cast<std::size_t>(dim); ++d) {
-        // What reaches the edge of the domain has no surface there.
-        const bool through = s.lo[d] <= domain.lo[d] && s.hi[d] >= domain.hi[d];
-        const bool mirrored = s.lo[d] <= domain.lo[d] && domain.boundary[d][0] != config::Boundary::outflow;
-        if (!through) least = std::min(least, (s.hi[d] - s.lo[d]) * (mirrored ? 2 : 1));
-      }
-      return least;
-    case Shape::Kind::cylinder:
-      if (dim == 3 || axisymmetric) least = s.length_hi - s.length_lo;
-      return std::min(least, 2 * s.radius);
-    case Shape::Kind::sphere:
-      return 2 * s.radius;
-    default:
-      return least;
-  }
-}
 
 /// Thinner rigid bodies that lie askew let matter past: in some cells no node lies between their two sides. A
 /// band of 1.2 cells at slope 1/6 bears all of its contact, one of 0.9 cells 90 %, one of 0.5 cells half.
 constexpr double rigid_cells_needed = 1.2;
 
 void check_rigid_thickness(LoadedCase& loaded, const Body& body, double t) {
-  const bool along_mesh = body.shape.kind == Shape::Kind::box && body.shape.rotation == 0;
-  if (along_mesh || t >= rigid_cells_needed * loaded.contents.mesh.finest) return;
+  if (along_mesh(body.shape) || t >= rigid_cells_needed * loaded.contents.mesh.finest) return;
   loaded.found.warning(
       body.shape.place,
       fmt::format(
@@ -81,33 +55,34 @@ void check_thickness(LoadedCase& loaded) {
   }
 }
 
-template <int Dim>
-Vec<Dim> first_components(const config::Vector& v) {
-  Vec<Dim> x;
-  for (int d = 0; d < Dim; ++d) x[d] = v[d];
-  return x;
+/// A gauge of a kind that says where it must be: on the surface of its body, or inside.
+template <int Dim, class Kind>
+void check_place(const Gauge& g, const Kind& kind, LoadedCase& loaded) {
+  const Case& c = loaded.contents;
+  const auto body =
+      std::find_if(c.bodies.begin(), c.bodies.end(), [&](const Body& b) { return b.name == kind.body; });
+  if (body == c.bodies.end()) return;
+  const double away = signed_distance<Dim>(body->shape, c.domain)(config::first_components<Dim>(kind.at));
+  if (Kind::on_surface && std::abs(away) > c.mesh.finest)
+    loaded.found.error(g.place,
+                       fmt::format("gauge '{}' is not on the surface of '{}' but {:.4g} mm {} it", g.name,
+                                   kind.body, std::abs(away) * 1e3, away > 0 ? "outside" : "below"),
+                       "move `at` onto the surface; for a place inside use kind = \"point\"");
+  if (!Kind::on_surface && away > 0)
+    loaded.found.warning(
+        g.place,
+        fmt::format("gauge '{}' lies {:.4g} mm outside of '{}' at the start", g.name, away * 1e3, kind.body),
+        "it records nothing until the body comes there");
 }
 
 template <int Dim>
 void check_gauges(LoadedCase& loaded) {
-  const Case& c = loaded.contents;
-  for (const Gauge& g : c.gauges) {
-    const bool on_surface = g.kind == Gauge::Kind::surface_velocity;
-    const auto body =
-        std::find_if(c.bodies.begin(), c.bodies.end(), [&](const Body& b) { return b.name == g.body; });
-    if ((!on_surface && g.kind != Gauge::Kind::point) || body == c.bodies.end()) continue;
-    const double away = signed_distance<Dim>(body->shape, c.domain)(first_components<Dim>(g.at));
-    if (on_surface && std::abs(away) > c.mesh.finest)
-      loaded.found.error(g.place,
-                         fmt::format("gauge '{}' is not on the surface of '{}' but {:.4g} mm {} it", g.name,
-                                     g.body, std::abs(away) * 1e3, away > 0 ? "outside" : "below"),
-                         "move `at` onto the surface; for a place inside use kind = \"point\"");
-    if (!on_surface && away > 0)
-      loaded.found.warning(
-          g.place,
-          fmt::format("gauge '{}' lies {:.4g} mm outside of '{}' at the start", g.name, away * 1e3, g.body),
-          "it records nothing until the body comes there");
-  }
+  for (const Gauge& g : loaded.contents.gauges)
+    std::visit(
+        [&](const auto& kind) {
+          if constexpr (requires { kind.on_surface; }) check_place<Dim>(g, kind, loaded);
+        },
+        g.kind);
 }
 
 void check_places(LoadedCase& loaded) {

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "app/plot_file.hpp"
+#include "config/geometry.hpp"
 #include "config/read_case.hpp"
-#include "config/read_shape.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
 #include "format/csv.hpp"

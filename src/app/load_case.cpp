@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include "app/data_folder.hpp"
-#include "config/read_body.hpp"
 #include "config/read_case.hpp"
-#include "config/read_expect.hpp"
+#include "config/section/expect.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
 #include "material/library.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "config/read_shape.hpp"
+#include "config/geometry.hpp"
 
 namespace recoil::app {
 
@@ -14,45 +14,9 @@ namespace {
 
 using config::Body;
 using config::Case;
+using config::endless;
+using config::Extent;
 using config::Geometry;
-using config::Shape;
-
-constexpr double endless = std::numeric_limits<double>::infinity();
-
-/// The extent of a body along each axis of the case, where its faces are at right angles to them.
-struct Extent {
-  bool plain = false;
-  config::Vector lo{}, hi{};
-};
-
-Extent extent_of(const Shape& s, Geometry geometry) {
-  Extent e;
-  const bool axisymmetric = geometry == Geometry::axisymmetric;
-  if (s.kind == Shape::Kind::box && s.rotation == 0) {
-    e = {true, s.lo, s.hi};
-  } else if (s.kind == Shape::Kind::cylinder && axisymmetric) {
-    e = {true, {0, s.length_lo, 0}, {s.radius, s.length_hi, 0}};
-  } else if (s.kind == Shape::Kind::cylinder && geometry == Geometry::space) {
-    const auto axis = static_cast<std::size_t>(
-        std::max_element(s.axis.begin(), s.axis.end(),
-                         [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-        s.axis.begin());
-    if (std::abs(s.axis[axis]) < 1 - 1e-9) return e;
-    e.plain = true;
-    for (std::size_t d = 0; d < 3; ++d) e.lo[d] = s.centre[d] - s.radius, e.hi[d] = s.centre[d] + s.radius;
-    const double a = s.centre[axis] + s.axis[axis] * s.length_lo,
-                 b = s.centre[axis] + s.axis[axis] * s.length_hi;
-    e.lo[axis] = std::min(a, b), e.hi[axis] = std::max(a, b);
-  } else if (s.kind == Shape::Kind::half_space) {
-    for (std::size_t d = 0; d < 3; ++d) {
-      e.lo[d] = -endless, e.hi[d] = endless;
-      if (std::abs(s.normal[d]) < 1 - 1e-9) continue;
-      e.plain = true;
-      (s.normal[d] > 0 ? e.hi[d] : e.lo[d]) = s.point[d];
-    }
-  }
-  return e;
-}
 
 /// Whether two bodies lie side by side over some width across `axis`.
 bool beside(const Extent& a, const Extent& b, std::size_t axis, int dim) {

@@ -41,12 +41,19 @@ std::string type_text(const Key& key) {
       return "pair of " + unit_text(key);
     case Type::vector:
       return "vector of " + unit_text(key);
+    case Type::turn:
+      return unit_text(key) + ", in 3d a vector of it";
     case Type::table:
       return "table";
     case Type::any:
       return key.unit.empty() ? "see below" : unit_text(key);
   }
   return {};
+}
+
+/// Where a key exists, or nothing where it does everywhere.
+std::string where_text(const Key& key) {
+  return key.only_in.empty() ? "" : "only in " + names_of(key.only_in);
 }
 
 std::string limits_text(const Key& key) {
@@ -72,8 +79,17 @@ std::string explain_key(const Section& section, const Key& key) {
   if (const std::string limits = limits_text(key); !limits.empty()) out += "  range    " + limits + '\n';
   if (!key.default_text.empty()) out += "  default  " + key.default_text + '\n';
   if (key.required) out += "  required\n";
+  if (const std::string where = where_text(key); !where.empty()) out += "  geometry " + where + '\n';
   if (!key.example.empty()) out += fmt::format("  example  {} = {}\n", key.name, key.example);
   return out;
+}
+
+/// NAME.AXIS stands for one column along each coordinate.
+std::string full_name(const Column& column) {
+  using enum Column::Each;
+  return std::string(column.name) + (column.each == axis     ? ".AXIS"
+                                     : column.each == stress ? ".COMPONENT"
+                                                             : "");
 }
 
 std::string explain_section(const Section& section) {
@@ -82,6 +98,9 @@ std::string explain_section(const Section& section) {
     const std::string extra = default_text(key);
     out += fmt::format("  {:<12} {}{}\n", key.name, key.doc, extra.empty() ? "" : " (" + extra + ")");
   }
+  if (!section.columns.empty()) out += "  columns\n";
+  for (const Column& c : section.columns)
+    out += fmt::format("    {:<24} {} [{}]\n", full_name(c), c.doc, c.unit);
   return out;
 }
 
@@ -152,10 +171,15 @@ std::string reference_page(const std::vector<Section>& more) {
         "\n## {}\n\n{}\n\n| key | type | range | default | meaning | example |\n|---|---|---|---|---|---|\n",
         heading(section), section.doc);
     for (const Key& key : section.keys) {
-      const std::string standard = key.required ? "required" : key.default_text;
-      out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_text(key), limits_text(key),
-                         standard, key.doc, key.example.empty() ? "" : '`' + key.example + '`');
+      const std::string standard = key.required ? "required" : key.default_text, where = where_text(key);
+      out += fmt::format("| `{}` | {} | {} | {} | {}{} | {} |\n", key.name, type_text(key), limits_text(key),
+                         standard, key.doc, where.empty() ? "" : "; " + where,
+                         key.example.empty() ? "" : '`' + key.example + '`');
     }
+    if (section.columns.empty()) continue;
+    out += "\nColumns of its file:\n\n| column | unit | meaning |\n|---|---|---|\n";
+    for (const Column& c : section.columns)
+      out += fmt::format("| `{}` | {} | {} |\n", full_name(c), c.unit, c.doc);
   }
   return out;
 }

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <limits>
-#include <span>
 #include <string>
 #include <vector>
+
+#include "config/geometry.hpp"
 
 namespace recoil::config {
 
 /// One key that a table may hold: drives reading, checking, `explain`, the JSON schema and the reference
-/// page.
+/// page. Keys of a case follow from the declarations beside their structs (entry.hpp).
 struct Key {
   enum class Type {
     quantity,  // "0.05 mm"; with an empty unit (or "1") a bare number
@@ -19,6 +20,7 @@ struct Key {
     texts,   // ["a", "b"], each one of `choices` where there are any
     range,   // ["0 mm", "2 mm"], low < high
     vector,  // { x = "450 m/s", y = ... }, components left out are 0
+    turn,    // planar a quantity, about the axis out of the plane; 3d a vector
     table,   // anything: the caller reads it
     any,     // anything, a table or not: the caller reads it
   };
@@ -36,6 +38,17 @@ struct Key {
   std::vector<std::string> choices = {};
   std::vector<std::string> not_yet = {};  // values that a later version will know
   std::string example = {};               // a value as one would write it
+  std::vector<Geometry> only_in = {};     // empty: in every geometry
+};
+
+/// A column of the file that a gauge writes. A unit such as "force" stands for the unit of sums of this
+/// geometry (RunUnits).
+struct Column {
+  enum class Each { once, axis, stress };  // axis: one column for each coordinate, NAME.x, ...
+  const char* name;
+  const char* unit;
+  const char* doc;
+  Each each = Each::once;
 };
 
 /// A table of the case file. A `*` stands for a name that the user chooses.
@@ -44,12 +57,10 @@ struct Section {
   std::string doc;
   std::vector<Key> keys;
   std::string kind = {};  // the keys belong to this `kind` of the table
+  std::vector<Column> columns = {};
 };
 
 /// Every table of a case file, in the order in which one writes them.
 const std::vector<Section>& case_sections();
-
-/// The keys of one section. @throws InternalError where there is none of that name.
-std::span<const Key> keys_of(const std::string& section, const std::string& kind = {});
 
 }  // namespace recoil::config

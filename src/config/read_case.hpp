@@ -23,4 +23,8 @@ Case read_case(const std::string& path, Document& document, Diagnostics& out,
 /// The same from a document that has been parsed already.
 Case read_case(const Document& document, Diagnostics& out);
 
+/// Checks that what the expectations speak of exists: gauge.NAME..., body.NAME..., contact.A-B...
+void check_expected_names(const std::vector<Expectation>& expect, const std::vector<Body>& bodies,
+                          const std::vector<Gauge>& gauges, Diagnostics& out);
+
 }  // namespace recoil::config

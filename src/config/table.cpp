@@ -32,6 +32,12 @@ std::string help_for(const Key& key) {
 
 }  // namespace
 
+void report_missing(const Node& table, const Key& key, const Owner& owner, Diagnostics& out) {
+  out.error(table.key_place, fmt::format("'{}' is missing{}", key.name, in_table(table)),
+            owner.what.empty() ? help_for(key)
+                               : fmt::format("{} needs it, e.g. {} = {}", owner.what, key.name, key.example));
+}
+
 double read_quantity(const Node& node, const std::string& name, const std::string& unit, Diagnostics& out,
                      const std::string& example) {
   if (node.is_number() && dimensionless(unit)) {
@@ -65,6 +71,7 @@ struct ValueReader {
   const Node& table;
   Diagnostics& out;
   std::span<const std::string> axes;
+  const Owner& owner;
 
   void wrong_type(const Node& node, const char* needed) const {
     out.error(node.place, fmt::format("'{}' needs {}, but is {}", key.name, needed, describe(node)),
@@ -175,6 +182,10 @@ struct ValueReader {
         return read_range(node, v);
       case Key::Type::vector:
         return read_components(node, v);
+      case Key::Type::turn:
+        if (axes.size() == 3) return read_components(node, v);
+        v.numbers[2] = quantity(node);
+        return;
       case Key::Type::table:
         if (!node.is_table()) return wrong_type(node, "a table");
         return;
@@ -188,16 +199,14 @@ struct ValueReader {
     if (key.default_text.empty()) return v;
     Diagnostics none;
     const Node node = parse_value(key.default_text, {});
-    ValueReader{key, table, none, axes}.read(node, v);
+    ValueReader{key, table, none, axes, owner}.read(node, v);
     require(!none.has_errors(), "the default of a key is right");
     return v;
   }
 
   Record::Value value(const Node* node) const {
     if (!node) {
-      if (key.required)
-        out.error(table.key_place, fmt::format("'{}' is missing{}", key.name, in_table(table)),
-                  help_for(key));
+      if (key.required) report_missing(table, key, owner, out);
       return default_value();
     }
     Record::Value v;
@@ -214,17 +223,23 @@ struct ValueReader {
 std::array<double, 3> read_vector(const Node& node, const Key& key, Diagnostics& out,
                                   std::span<const std::string> axes) {
   Record::Value v;
-  ValueReader{key, node, out, axes}.read_components(node, v);
+  ValueReader{key, node, out, axes, {}}.read_components(node, v);
   return v.numbers;
 }
 
 namespace {
 
-void report_unknown(const Node& table, std::span<const Key> keys, Diagnostics& out) {
+void report_unknown(const Node& table, std::span<const Key> keys, const Owner& owner, Diagnostics& out) {
   std::vector<std::string> names;
+  if (!owner.what.empty()) names.emplace_back("kind");
   for (const Key& key : keys) names.push_back(key.name);
   for (const Node& child : table.children) {
     if (std::find(names.begin(), names.end(), child.key) != names.end()) continue;
+    if (std::find(owner.elsewhere.begin(), owner.elsewhere.end(), child.key) != owner.elsewhere.end()) {
+      out.error(child.key_place, fmt::format("'{}' means nothing for {}", child.key, owner.what),
+                fmt::format("known here: {}", fmt::join(names, ", ")));
+      continue;
+    }
     std::string help = did_you_mean(child.key, names);
     if (help.empty()) help = fmt::format("known here: {}", fmt::join(names, ", "));
     out.error(child.key_place, fmt::format("unknown key '{}'{}", child.key, in_table(table)), help);
@@ -234,16 +249,17 @@ void report_unknown(const Node& table, std::span<const Key> keys, Diagnostics& o
 }  // namespace
 
 Record read_record(const Node& table, std::span<const Key> keys, Diagnostics& out,
-                   std::span<const std::string> axes) {
+                   std::span<const std::string> axes, const Owner& owner) {
   static const std::vector<std::string> cartesian{"x", "y", "z"};
   Record record;
   record.place_ = table.key_place;
   if (!table.is_table())
     out.error(table.place, fmt::format("'{}' needs a table, but is {}", table.key, describe(table)));
-  if (table.is_table()) report_unknown(table, keys, out);
+  if (table.is_table()) report_unknown(table, keys, owner, out);
   for (const Key& key : keys) {
     const Node* node = table.find(key.name);
-    const ValueReader reader{key, table, out, axes.empty() ? std::span<const std::string>(cartesian) : axes};
+    const ValueReader reader{key, table, out, axes.empty() ? std::span<const std::string>(cartesian) : axes,
+                             owner};
     record.values_.emplace(key.name, table.is_table() ? reader.value(node) : reader.default_value());
   }
   return record;

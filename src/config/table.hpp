@@ -14,6 +14,12 @@
 
 namespace recoil::config {
 
+/// Whose keys a table holds, for messages.
+struct Owner {
+  std::string what = {};                    // "a gauge of kind "point""; empty: nothing to be named
+  std::vector<std::string> elsewhere = {};  // keys that exist, but mean nothing for it
+};
+
 /// One table read against a list of keys: checked values in SI. Keys that were not given, or were wrong (and
 /// reported), have their default, and without one 0, false or nothing, so that reading can go on and find
 /// more. All getters @throw InternalError for a name that is not in the list.
@@ -41,7 +47,8 @@ class Record {
   const Place& place() const { return place_; }
 
  private:
-  friend Record read_record(const Node&, std::span<const Key>, Diagnostics&, std::span<const std::string>);
+  friend Record read_record(const Node&, std::span<const Key>, Diagnostics&, std::span<const std::string>,
+                            const Owner&);
   friend struct ValueReader;
   friend std::array<double, 3> read_vector(const Node&, const Key&, Diagnostics&,
                                            std::span<const std::string>);
@@ -64,7 +71,10 @@ class Record {
 /// missing required keys are errors in `out`. The table and the keys must outlive the record.
 /// @param axes names of the components of vectors, at most three; empty: x, y, z.
 Record read_record(const Node& table, std::span<const Key> keys, Diagnostics& out,
-                   std::span<const std::string> axes = {});
+                   std::span<const std::string> axes = {}, const Owner& owner = {});
+
+/// Reports a required key that is not there, and how to give it.
+void report_missing(const Node& table, const Key& key, const Owner& owner, Diagnostics& out);
 
 /// Reads one quantity to SI; what is wrong with it is reported, and the result is then 0.
 /// @param name what messages call it; @param example a value to suggest, may be empty.

@@ -116,9 +116,9 @@ struct Recorder<Dim>::Parts {
         gauges(c, state, w, make_folder("gauges"), sums),
         events(names, c.domain.geometry, closed_axes(c.domain)),
         budget(names, rigid, units.balanced),
-        fields(make_folder("fields"), case_name(c), c.output.variables),
-        history_due(c.output.history_every),
-        fields_due(c.output.fields_every),
+        fields(make_folder("fields"), case_name(c), c.output.fields.variables),
+        history_due(c.output.history.every),
+        fields_due(c.output.fields.every),
         pairs(pair_count()) {
     if (!first()) return;
     history.emplace(directory / "history.csv", names, rigid, units);
@@ -173,7 +173,7 @@ struct Recorder<Dim>::Parts {
 
   void dump_if_due(const State<Dim>& state) {
     // Without an interval only the first and the last picture are wanted.
-    if (case_.output.fields_every <= 0 || !fields_due.at(state.time)) return;
+    if (case_.output.fields.every <= 0 || !fields_due.at(state.time)) return;
     fields.write(state, world);
     fields_due.done(state.time);
   }

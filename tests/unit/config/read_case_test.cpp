@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "../support/scratch_folder.hpp"
-#include "config/read_expect.hpp"
 
 namespace recoil::config {
 namespace {
@@ -85,17 +84,17 @@ TEST(ReadCase, Axisymmetric) {
   ASSERT_EQ(c.bodies.size(), 2U);
   EXPECT_EQ(c.bodies[0].name, "flyer") << "in file order";
   EXPECT_EQ(c.bodies[0].velocity[1], 450);
-  EXPECT_EQ(c.bodies[0].shape.kind, Shape::Kind::cylinder);
-  EXPECT_EQ(c.bodies[0].shape.radius, 60e-3);
-  EXPECT_EQ(c.bodies[0].shape.length_lo, -2e-3);
+  const auto& cylinder = std::get<Cylinder>(c.bodies[0].shape.form);
+  EXPECT_EQ(cylinder.radius, 60e-3);
+  EXPECT_EQ(cylinder.length[0], -2e-3);
   EXPECT_EQ(c.bodies[1].material, "mine");
   EXPECT_EQ(c.bodies[1].material_place.line, 18);
   ASSERT_EQ(c.gauges.size(), 2U);
-  EXPECT_EQ(c.gauges[0].at[0], 10e-3);
-  EXPECT_EQ(c.gauges[0].every, 5e-9);
-  EXPECT_EQ(c.gauges[1].pair[1], "target");
-  EXPECT_EQ(c.output.fields_every, 0.1e-6);
-  EXPECT_EQ(c.output.history_every, 0);
+  EXPECT_EQ(std::get<SurfaceVelocityGauge>(c.gauges[0].kind).at[0], 10e-3);
+  EXPECT_EQ(std::get<SurfaceVelocityGauge>(c.gauges[0].kind).every, 5e-9);
+  EXPECT_EQ(std::get<ContactGauge>(c.gauges[1].kind).pair[1], "target");
+  EXPECT_EQ(c.output.fields.every, 0.1e-6);
+  EXPECT_EQ(c.output.history.every, 0);
 }
 
 TEST(ReadCase, Expectations) {
@@ -128,7 +127,7 @@ TEST(ReadCase, OneDimension) {
                "shape = { kind = \"box\", x = [\"0 mm\", \"1 mm\"] }"));
   EXPECT_EQ(dimension(c.domain.geometry), 1);
   EXPECT_EQ(c.domain.boundary[0][0], Boundary::symmetry);
-  EXPECT_EQ(c.bodies[0].shape.hi[0], 1e-3);
+  EXPECT_EQ(std::get<Box>(c.bodies[0].shape.form).hi[0], 1e-3);
 }
 
 TEST(ReadCase, Planar) {
@@ -149,13 +148,13 @@ TEST(ReadCase, Planar) {
   EXPECT_DOUBLE_EQ(rod.velocity[1], -1000 * std::sin(std::numbers::pi / 18));
   EXPECT_DOUBLE_EQ(rod.spin[2], 2 * std::numbers::pi);
   EXPECT_EQ(rod.spin_centre[0], 1e-3);
-  ASSERT_EQ(rod.shape.kind, Shape::Kind::difference);
-  ASSERT_EQ(rod.shape.parts.size(), 4U);
-  EXPECT_DOUBLE_EQ(rod.shape.parts[0].rotation, std::numbers::pi / 6);
-  EXPECT_DOUBLE_EQ(rod.shape.parts[0].centre[0], 2e-3) << "turns about its middle";
-  EXPECT_EQ(rod.shape.parts[1].kind, Shape::Kind::cylinder);
-  EXPECT_DOUBLE_EQ(rod.shape.parts[2].normal[1], 0.8) << "normals have length 1";
-  EXPECT_EQ(rod.shape.parts[3].vertices.size(), 3U);
+  const std::vector<Shape>& parts = std::get<Difference>(rod.shape.form).parts;
+  ASSERT_EQ(parts.size(), 4U);
+  EXPECT_DOUBLE_EQ(std::get<Box>(parts[0].form).rotation, std::numbers::pi / 6);
+  EXPECT_DOUBLE_EQ(std::get<Box>(parts[0].form).centre[0], 2e-3) << "turns about its middle";
+  EXPECT_EQ(std::get<Cylinder>(parts[1].form).radius, 0.5e-3);
+  EXPECT_DOUBLE_EQ(std::get<HalfSpace>(parts[2].form).normal[1], 0.8) << "normals have length 1";
+  EXPECT_EQ(std::get<Polygon>(parts[3].form).vertices.size(), 3U);
 }
 
 TEST(ReadCase, Space) {
@@ -166,11 +165,11 @@ TEST(ReadCase, Space) {
       "\"cylinder\", radius = \"2 mm\", along = [\"0 mm\", \"9 mm\"], axis = { x = 2 } }, { kind = "
       "\"sphere\", radius = \"1 "
       "mm\", centre = { z = \"3 mm\" } }] }"));
-  const Shape& shape = c.bodies[0].shape;
-  ASSERT_EQ(shape.parts.size(), 2U);
-  EXPECT_EQ(shape.parts[0].axis[0], 1);
-  EXPECT_EQ(shape.parts[0].length_hi, 9e-3);
-  EXPECT_EQ(shape.parts[1].centre[2], 3e-3);
+  const std::vector<Shape>& parts = std::get<Union>(c.bodies[0].shape.form).parts;
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(std::get<Cylinder>(parts[0].form).axis[0], 1);
+  EXPECT_EQ(std::get<Cylinder>(parts[0].form).length[1], 9e-3);
+  EXPECT_EQ(std::get<Sphere>(parts[1].form).centre[2], 3e-3);
   EXPECT_EQ(c.bodies[0].spin[2], 10);
 }
 
@@ -187,7 +186,7 @@ TEST(ReadCase, OverridesFromTheCommandLine) {
   EXPECT_EQ(c.mesh.finest, 0.1e-3);
   EXPECT_EQ(c.bodies[0].velocity[1], 500);
   EXPECT_EQ(c.time.cfl, 0.5);
-  EXPECT_EQ(c.output.history_every, 1e-9);
+  EXPECT_EQ(c.output.history.every, 1e-9);
   EXPECT_EQ(c.expect[3].value, 1);
   EXPECT_NE(doc.find("material.mine.base"), nullptr);
 }

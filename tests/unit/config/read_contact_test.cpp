@@ -1,4 +1,4 @@
-#include "config/read_contact.hpp"
+#include "config/section/contact.hpp"
 
 #include <gtest/gtest.h>
 

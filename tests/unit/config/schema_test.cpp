@@ -48,7 +48,6 @@ TEST(Schema, TheRegistryIsWhole) {
       EXPECT_NO_THROW(dimension_name(key.unit)) << key.name;
     }
   }
-  EXPECT_THROW(keys_of("no-such-section"), InternalError);
 }
 
 TEST(Explain, FindsKeysByPathAndByName) {

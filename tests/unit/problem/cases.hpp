@@ -16,26 +16,19 @@ inline config::Domain domain_of(config::Geometry geometry, config::Vector lo, co
   d.geometry = geometry;
   d.lo = lo;
   d.hi = hi;
-  for (auto& axis : d.boundary) axis = {edges, edges};
+  for (auto& ends : d.boundary) ends = {edges, edges};
   if (geometry == config::Geometry::axisymmetric) d.boundary[0][0] = config::Boundary::axis;
   return d;
 }
 
 inline config::Shape box_shape(config::Vector lo, config::Vector hi) {
-  config::Shape s;
-  s.kind = config::Shape::Kind::box;
-  s.lo = lo;
-  s.hi = hi;
-  for (std::size_t d = 0; d < 3; ++d) s.centre[d] = 0.5 * (lo[d] + hi[d]);
-  return s;
+  config::Box box{.lo = lo, .hi = hi};
+  for (std::size_t d = 0; d < 3; ++d) box.centre[d] = 0.5 * (lo[d] + hi[d]);
+  return {box};
 }
 
 inline config::Shape ball_shape(config::Vector centre, double radius) {
-  config::Shape s;
-  s.kind = config::Shape::Kind::sphere;
-  s.centre = centre;
-  s.radius = radius;
-  return s;
+  return {config::Sphere{radius, centre}};
 }
 
 inline config::Body body_of(std::string name, config::Shape shape, config::Vector velocity = {}) {

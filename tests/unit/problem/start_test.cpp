@@ -178,7 +178,7 @@ TEST(FindOverlaps, SaysWhichWhereAndHowDeep) {
   EXPECT_EQ(found.error_count(), 1);
   EXPECT_NE(found.text().find("bodies 'flyer' and 'target' overlap by 0.3 mm near (0."), std::string::npos)
       << found.text();
-  c.bodies[0].shape.hi[0] = 0;  // touching is fine
+  c.bodies[0].shape = box_shape(vector_of(-0.002, -0.001), vector_of(0, 0.001));  // touching is fine
   config::Diagnostics none;
   find_overlaps(c, none);
   EXPECT_EQ(none.text(), "");

@@ -145,7 +145,7 @@ void compare_with_line(int axis, int steps, double tolerance = 1e-9) {
   auto line = flyer(dx);
   line.domain.lo[0] = -3 * mm;
   line.domain.hi[0] = 4 * mm;
-  line.bodies[1].shape.hi[0] = 3 * mm;
+  std::get<config::Box>(line.bodies[1].shape.form).hi[0] = 3 * mm;
   TestRun<1> one(line, materials);
   TestRun<Dim> more(aligned<Dim>(axis, dx), materials);
   one.stepping.fixed_dt = more.stepping.fixed_dt = dt;

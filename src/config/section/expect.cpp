@@ -1,11 +1,10 @@
-#include "config/read_expect.hpp"
-
-#include <fmt/format.h>
+#include "config/section/expect.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "config/table.hpp"
+#include "config/declare/read_struct.hpp"
+#include "config/declare/write_struct.hpp"
 #include "config/units.hpp"
 
 namespace recoil::config {
@@ -76,6 +75,25 @@ void read_limits(const Node& node, const Record& record, Expectation& e, Diagnos
     e.tolerance = read_tolerance(*record.node("within"), q, out);
 }
 
+/// The unit of an expectation is any, so its values stay in the unit that they were written in.
+std::string in_own_unit(const Expectation& e, double value, bool difference) {
+  if (e.unit.empty()) return written_number(value);
+  const double scaled = difference ? value / unit_size(e.unit) : in_unit(value, e.unit);
+  return written_text(fmt::format("{:.15g} {}", scaled, e.unit));  // without the round-off of the unit
+}
+
+std::string write_value(const Expectation& e, const char* /*name*/, const Writing& /*how*/) {
+  return in_own_unit(e, e.value, false);
+}
+std::string write_tolerance(const Expectation& e, const char* /*name*/, const Writing& /*how*/) {
+  return in_own_unit(e, e.tolerance, true);
+}
+
+/// The values depend on each other: Expectation::check() reads them.
+void read_later(Expectation& /*e*/, const TableReading& /*reading*/, const Key& /*key*/) {}
+
+bool two_sided(const Expectation& e) { return !e.at_most && !e.at_least; }
+
 /// A name with dots that was written without quotes comes as tables in tables.
 bool is_part_of_a_name(const Node& node) {
   const auto deeper = [](const Node& child) { return child.is_table() || child.is_flag(); };
@@ -96,10 +114,7 @@ void read_entry(const Node& node, const std::string& quantity, Diagnostics& out,
     e.is_flag = true;
     e.flag = node.flag;
   } else if (node.is_table()) {
-    const Record record = read_record(node, keys_of("expect.*"), out);
-    read_limits(node, record, e, out);
-    e.source = record.text("source");
-    e.why = record.text("why");
+    read_struct(node, e, {Geometry::line, axes_of(Geometry::line), out});
   } else {
     out.error(node.place,
               fmt::format("'{}' needs a table, true or false, but is {}", quantity, describe(node)),
@@ -110,6 +125,57 @@ void read_entry(const Node& node, const std::string& quantity, Diagnostics& out,
 }
 
 }  // namespace
+
+Entries<Expectation> Expectation::keys() {
+  const Custom<Expectation> amount{Key::Type::any, false, read_later, write_value};
+  return {{.name = "value",
+           .member = amount,
+           .doc = "the expected value",
+           .example = R"("0.695 us")",
+           .when = two_sided},
+          {.name = "within",
+           .member = Custom<Expectation>{Key::Type::any, false, read_later, write_tolerance},
+           .doc = "how far off it may be: a percentage or a quantity",
+           .example = R"("3 %")",
+           .when = two_sided},
+          {.name = "at-most",
+           .member = amount,
+           .doc = "an upper limit",
+           .example = R"("0.695 us")",
+           .when = [](const Expectation& e) { return e.at_most; }},
+          {.name = "at-least",
+           .member = amount,
+           .doc = "a lower limit",
+           .example = R"("0.695 us")",
+           .when = [](const Expectation& e) { return e.at_least; }},
+          {.name = "source",
+           .member = &Expectation::source,
+           .optional = true,
+           .doc = "where the value comes from",
+           .example = R"("marsh1980")"},
+          {.name = "why",
+           .member = &Expectation::why,
+           .optional = true,
+           .doc = "why the limit is what it is",
+           .example = R"("first-order spike")"}};
+}
+
+void Expectation::check(const TableReading& reading) {
+  read_limits(reading.node, reading.record, *this, reading.in.out);
+}
+
+WrittenTable write_expectations(const std::vector<Expectation>& all, const std::string& file) {
+  WrittenTable table{"expect", {}};
+  const Writing how{Geometry::line, axes_of(Geometry::line)};
+  for (const Expectation& e : all) {
+    const std::string source =
+        fmt::format("{}line {}", e.place.file == file ? "" : "expected.toml, ", e.place.line);
+    const std::string value =
+        e.is_flag ? std::string(e.flag ? "true" : "false") : inline_table(written_keys(e, how));
+    table.keys.push_back({written_text(e.quantity), value, source});
+  }
+  return table;
+}
 
 std::vector<Expectation> read_expectations(const Node& table, Diagnostics& out) {
   std::vector<Expectation> found;

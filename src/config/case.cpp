@@ -1,0 +1,115 @@
+#include "config/case.hpp"
+
+#include "config/declare/kinds.hpp"
+#include "config/declare/part.hpp"
+
+namespace recoil::config {
+
+namespace {
+
+void read_domain_of(Case& c, const Node& node, CaseReading& in) { read_domain(node, c.domain, in); }
+
+Part<Case> part_of_domain() {
+  Part<Case> part = part_of<&Case::domain>();
+  part.read = read_domain_of;
+  return part;
+}
+
+Part<Case> part_of_bodies() {
+  return {[](Case& c, const Node& node, CaseReading& in) {
+            if (in.knows_domain) read_bodies(node, c.bodies, in);
+          },
+          [](const std::string& path, std::vector<Section>& all) { add_sections<Body>(path + ".*", all); },
+          [](const Case& c, const std::string& path, const Writing& how, std::vector<WrittenTable>& all) {
+            for (const Body& body : c.bodies) write_tables(body, path + '.' + body.name, how, all);
+          }};
+}
+
+Part<Case> part_of_gauges() {
+  return {[](Case& c, const Node& node, CaseReading& in) {
+            if (in.knows_bodies) read_gauges(node, c.gauges, in);
+          },
+          [](const std::string& path, std::vector<Section>& all) { add_gauge_sections(path + ".*", all); },
+          [](const Case& c, const std::string& path, const Writing& how, std::vector<WrittenTable>& all) {
+            for (const Gauge& g : c.gauges) all.push_back({path + '.' + g.name, written_kind(g.kind, how)});
+          }};
+}
+
+Part<Case> part_of_contact() {
+  return {[](Case& c, const Node& node, CaseReading& in) {
+            if (in.knows_bodies) read_contact(node, c.contact, in);
+          },
+          add_contact_sections,
+          [](const Case& c, const std::string& path, const Writing& how, std::vector<WrittenTable>& all) {
+            write_contact(c.contact, path, how, all);
+          }};
+}
+
+Part<Case> part_of_expect() {
+  return {
+      [](Case& c, const Node& node, CaseReading& in) { c.expect = read_expectations(node, in.out); },
+      [](const std::string& path, std::vector<Section>& all) { add_sections<Expectation>(path + ".*", all); },
+      [](const Case& c, const std::string&, const Writing&, std::vector<WrittenTable>& all) {
+        if (!c.expect.empty()) all.push_back(write_expectations(c.expect, c.file));
+      }};
+}
+
+/// Read by material/library, with sections of its own.
+Part<Case> part_of_materials() {
+  return {[](Case&, const Node&, CaseReading&) {}, [](const std::string&, std::vector<Section>&) {},
+          [](const Case&, const std::string&, const Writing&, std::vector<WrittenTable>&) {}};
+}
+
+}  // namespace
+
+Entries<Case> Case::keys() {
+  return {
+      {.name = "format",
+       .member = &Case::format,
+       .least = 1,
+       .doc = "version of the case format",
+       .example = "1"},
+      {.name = "title",
+       .member = &Case::title,
+       .doc = "one line that names the case in reports",
+       .example = R"("Aluminium on copper")"},
+      {.name = "cite",
+       .member = &Case::cite,
+       .doc = "what to cite with results of this case",
+       .example = R"(["marsh1980"])"},
+      {.name = "domain", .member = part_of_domain(), .required = true, .doc = "the space that is computed"},
+      {.name = "mesh", .member = part_of<&Case::mesh>(), .required = true, .doc = "the cells"},
+      {.name = "time",
+       .member = part_of<&Case::time>(),
+       .required = true,
+       .doc = "how long, and in which steps"},
+      {.name = "body",
+       .member = part_of_bodies(),
+       .required = true,
+       .doc = "the bodies, one [body.NAME] each"},
+      {.name = "material",
+       .member = part_of_materials(),
+       .doc = "materials of this case alone, one [material.NAME] each"},
+      {.name = "gauge", .member = part_of_gauges(), .doc = "records over time, one [gauge.NAME] each"},
+      {.name = "contact", .member = part_of_contact(), .doc = "what happens where bodies meet"},
+      {.name = "method", .member = part_of<&Case::method>(), .doc = "the numerical method"},
+      {.name = "output", .member = part_of<&Case::output>(), .doc = "what is written, and how often"},
+      {.name = "expect", .member = part_of_expect(), .doc = "what the results are checked against"}};
+}
+
+const std::vector<Section>& case_sections() {
+  static const std::vector<Section> all = [] {
+    std::vector<Section> sections;
+    add_sections<Case>("", sections);
+    return sections;
+  }();
+  return all;
+}
+
+std::vector<WrittenTable> written_tables(const Case& c) {
+  std::vector<WrittenTable> all;
+  write_tables(c, "", {c.domain.geometry, axes_of(c.domain.geometry)}, all);
+  return all;
+}
+
+}  // namespace recoil::config

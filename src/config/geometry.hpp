@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace recoil::config {
+
+/// Three components whatever the geometry: 1d uses [0] = x; planar [0] = x, [1] = y; axisymmetric [0] = r,
+/// [1] = z; 3d all.
+using Vector = std::array<double, 3>;
+
+enum class Geometry { line, planar, axisymmetric, space };
+
+/// As in a case file, in the order of the enumeration.
+inline constexpr std::array geometry_names{"1d", "planar", "axisymmetric", "3d"};
+
+/// 1, 2 or 3.
+constexpr int dimension(Geometry g) { return g == Geometry::line ? 1 : g == Geometry::space ? 3 : 2; }
+
+/// Whether it has a plane in which shapes can be turned.
+constexpr bool flat(Geometry g) { return dimension(g) == 2; }
+
+/// Names of the coordinates: {"r", "z"} for axisymmetric.
+std::vector<std::string> axes_of(Geometry geometry);
+
+/// "planar", ... as in a case file.
+std::string name_of(Geometry geometry);
+
+/// "planar, 3d"
+std::string names_of(const std::vector<Geometry>& geometries);
+
+/// A vector of length 1 in the direction of v, or v where it has none. What is one already, as a resolved
+/// case has it, stays as it is, so that it reads back equal.
+Vector normalised(Vector v);
+
+}  // namespace recoil::config

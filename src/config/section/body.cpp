@@ -1,0 +1,204 @@
+#include "config/section/body.hpp"
+
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "config/declare/kinds.hpp"
+
+namespace recoil::config {
+
+namespace {
+
+/// The other form of a velocity.
+struct PolarVelocity {
+  double speed = 0;  // m/s
+  double angle = 0;  // rad
+
+  static constexpr const char* doc = "A velocity in the plane given by its size and direction.";
+  static Entries<PolarVelocity> keys() {
+    return {{.name = "speed",
+             .member = &PolarVelocity::speed,
+             .unit = "m/s",
+             .least = 0,
+             .required = true,
+             .doc = "size of the velocity",
+             .example = R"("1 km/s")"},
+            {.name = "angle",
+             .member = &PolarVelocity::angle,
+             .unit = "rad",
+             .doc = "from the x axis, counter-clockwise",
+             .example = R"("-10 deg")"}};
+  }
+};
+
+void read_velocity(Body& body, const TableReading& reading, const Key& key) {
+  const CaseReading& in = reading.in;
+  const Node& node = *reading.record.node(key.name);
+  if (!node.find("speed") && !node.find("angle")) {
+    body.velocity = read_vector(node, key, in.out, in.axes);
+    return;
+  }
+  PolarVelocity polar;
+  read_struct(node, polar, in);
+  if (in.geometry != Geometry::planar)
+    return in.out.error(
+        node.place,
+        fmt::format("a velocity by speed and angle exists in geometry \"planar\" only, not \"{}\"",
+                    name_of(in.geometry)),
+        fmt::format("give its components {}", fmt::join(in.axes, ", ")));
+  body.velocity = {polar.speed * std::cos(polar.angle), polar.speed * std::sin(polar.angle), 0};
+}
+
+Custom<Body> custom_velocity() {
+  return {Key::Type::vector, false, read_velocity,
+          [](const Body& body, const char*, const Writing& how) { return how.vector(body.velocity, "m/s"); },
+          [](const std::string& path, std::vector<Section>& all) {
+            add_sections<PolarVelocity>(path, all);
+            all.back().kind = "polar";
+          }};
+}
+
+Custom<Body> custom_shape() {
+  return {Key::Type::table, true,
+          [](Body& body, const TableReading& reading, const Key& key) {
+            body.shape = read_shape(*reading.record.node(key.name), reading.in);
+          },
+          [](const Body& body, const char*, const Writing& how) {
+            return inline_table(written_kind(body.shape.form, how));
+          },
+          [](const std::string& path, std::vector<Section>& all) {
+            add_kind_sections<ShapeKind>(path, shape_kind_doc, all);
+          }};
+}
+
+void check_material(const Body& body, const TableReading& reading) {
+  if (body.rigid && reading.has("material"))
+    reading.refuse("material", fmt::format("rigid body '{}' has a material", body.name),
+                   "take out 'material' or 'rigid'");
+  if (!body.rigid && !reading.has("material"))
+    reading.in.out.error(reading.node.key_place,
+                         fmt::format("'material' is missing in [{}]", reading.node.path),
+                         "e.g. material = \"copper/ofhc-johnson-cook\", or rigid = true");
+}
+
+/// The mass of a rigid body and how it turns go together.
+void check_free_body(const Body& body, const TableReading& reading) {
+  for (const char* key : {"mass", "inertia", "centre-of-mass"})
+    if (reading.has(key) && !body.rigid)
+      reading.refuse(key, fmt::format("'{}' is for rigid bodies", key),
+                     "a deformable body has the mass of its material; or add rigid = true");
+  for (const char* key : {"inertia", "centre-of-mass"})
+    if (body.rigid && reading.has(key) && !reading.has("mass"))
+      reading.refuse(key, fmt::format("'{}' without 'mass' means nothing", key),
+                     "a rigid body without a mass keeps its velocity");
+  if (!body.rigid || !reading.has("mass") || !reading.has("inertia")) return;
+  for (const double moment : body.inertia)
+    if (moment < 0) reading.wrong("inertia", "a moment of inertia is negative");
+  if (!reading.has("centre-of-mass"))
+    reading.refuse("inertia", "'inertia' needs 'centre-of-mass', the point about which the body turns",
+                   "e.g. centre-of-mass = { x = \"0 mm\", y = \"0 mm\" }");
+}
+
+void check_spin(const Body& body, const TableReading& reading) {
+  if (body.mass > 0 && reading.has("spin-centre"))
+    reading.refuse("spin-centre", "a free rigid body turns about its centre of mass",
+                   "take out 'spin-centre', and give 'centre-of-mass'");
+  if (reading.has("spin-centre") && !reading.has("spin"))
+    reading.refuse("spin-centre", "'spin-centre' without 'spin' means nothing");
+  if (reading.has("spin") && !reading.has("spin-centre") && !(body.mass > 0))
+    reading.refuse("spin", "'spin' needs 'spin-centre', the point about which the body turns",
+                   "e.g. spin-centre = { x = \"0 mm\", y = \"0 mm\" }");
+}
+
+bool turns(const Body& b) { return b.spin != Vector{}; }
+bool is_free(const Body& b) { return b.mass > 0; }
+
+}  // namespace
+
+Entries<Body> Body::keys() {
+  const std::vector<Geometry> turning{Geometry::planar, Geometry::space};
+  return {
+      {.name = "material",
+       .member = &Body::material,
+       .doc = "a material of the library, or a [material.NAME] of this case",
+       .example = R"("copper/ofhc-johnson-cook")",
+       .when = [](const Body& b) { return !b.rigid; }},
+      {.name = "rigid",
+       .member = &Body::rigid,
+       .doc = "a rigid body: it has no material, and keeps its velocity unless it has a mass",
+       .example = "true",
+       .when = [](const Body& b) { return b.rigid; }},
+      {.name = "mass",
+       .member = &Body::mass,
+       .unit = "kg",
+       .positive = true,
+       .optional = true,
+       .doc = "of a rigid body that its contacts push (planar: per depth, kg/m; 1d: per area, kg/m2)",
+       .example = R"("0.2 kg")",
+       .unit_in = {"kg/m2", "kg/m", "kg", "kg"}},
+      {.name = "inertia",
+       .member = &Body::inertia,
+       .unit = "kg m2",
+       .optional = true,
+       .rule = Rule::turn,
+       .doc = "moment of inertia of a free rigid body about its centre of mass: planar a quantity per "
+              "depth (kg m); 3d { x = ..., y = ..., z = ... }, principal moments; without it the body "
+              "does not turn",
+       .example = R"({ x = "2 kg m2", y = "2 kg m2", z = "1 kg m2" })",
+       .only_in = turning,
+       .unit_in = {nullptr, "kg m", nullptr, nullptr}},
+      {.name = "centre-of-mass",
+       .member = &Body::centre_of_mass,
+       .unit = "m",
+       .doc = "of a free rigid body that can turn",
+       .example = R"({ x = "1 mm" })",
+       .when = is_free},
+      {.name = "shape",
+       .member = custom_shape(),
+       .required = true,
+       .doc = "where it is at the start",
+       .example = R"({ kind = "sphere", radius = "5 mm" })"},
+      {.name = "velocity",
+       .member = custom_velocity(),
+       .unit = "m/s",
+       .doc = "at the start; planar also { speed = \"1 km/s\", angle = \"-10 deg\" } from the x axis",
+       .example = R"({ x = "450 m/s" })"},
+      {.name = "spin",
+       .member = &Body::spin,
+       .unit = "rad/s",
+       .optional = true,
+       .rule = Rule::turn,
+       .doc = "turning at the start: planar a quantity, counter-clockwise; 3d { x = ..., y = ..., z = ... }",
+       .example = R"("1000 rad/s")",
+       .only_in = turning},
+      {.name = "spin-centre",
+       .member = &Body::spin_centre,
+       .unit = "m",
+       .doc = "the point about which it turns",
+       .example = R"({ x = "1 mm" })",
+       .when = [](const Body& b) { return turns(b) && !is_free(b); }}};
+}
+
+void Body::check(const TableReading& reading) {
+  check_material(*this, reading);
+  check_free_body(*this, reading);
+  check_spin(*this, reading);
+  if (is_free(*this)) spin_centre = centre_of_mass;
+}
+
+void read_bodies(const Node& table, std::vector<Body>& bodies, CaseReading& in) {
+  for (const Node& node : table.children) {
+    if (!check_is_table(node, "body", in.out) || !check_name(node, "body", in.out)) continue;
+    Body& body = bodies.emplace_back();
+    body.name = node.key;
+    body.place = node.key_place;
+    body.material_place = read_struct(node, body, in).place("material");
+    in.bodies.push_back(body.name);
+  }
+  if (table.children.empty())
+    in.out.error(table.key_place, "the case has no body",
+                 "write [body.NAME] and give it a material and a shape");
+}
+
+}  // namespace recoil::config

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/shape/shape.hpp"
+
+namespace recoil::config {
+
+/// Matter with a surface of its own, of a material or rigid.
+struct Body {
+  std::string name;
+  std::string material;  // a library name or a [material.NAME] of this case; empty: rigid
+  bool rigid = false;
+  double mass = 0;          // of a free rigid body [kg; kg/m planar; kg/m2 1d]; 0: keeps its velocity
+  Vector inertia{};         // kg m2 (planar: kg m, [2] only), about the centre of mass, along the axes
+  Vector centre_of_mass{};  // m
+  Shape shape;
+  Vector velocity{};     // m/s
+  Vector spin{};         // rad/s about spin_centre; planar: [2] only
+  Vector spin_centre{};  // m
+  Place place = {}, material_place = {};
+
+  static constexpr const char* doc =
+      "A body: matter with a surface of its own. Either a material or rigid = true.";
+  static Entries<Body> keys();
+  void check(const TableReading& reading);
+};
+
+/// Reads every [body.NAME] below the table `body`; `in` learns their names.
+void read_bodies(const Node& table, std::vector<Body>& bodies, CaseReading& in);
+
+}  // namespace recoil::config

@@ -1,0 +1,15 @@
+#include "config/section/method.hpp"
+
+#include <fmt/format.h>
+
+#include "config/declare/reading.hpp"
+
+namespace recoil::config {
+
+void Method::check(const TableReading& reading) const {
+  if (reading.has("kappa") && scheme != "seed")
+    reading.refuse("kappa", fmt::format("'kappa' has no meaning for scheme = \"{}\"", scheme),
+                   "take it out, or use scheme = \"seed\": the other schemes close gaps without a tolerance");
+}
+
+}  // namespace recoil::config

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "config/declare/entry.hpp"
+
+namespace recoil::config {
+
+struct Method {
+  std::string scheme = "conservative";  // conservative, ghost-fluid, seed
+  double kappa = 0.5;                   // [dx] distance at which bodies meet; seed only
+
+  static constexpr const char* doc = "The numerical method.";
+  static Entries<Method> keys() {
+    return {{.name = "scheme",
+             .member = &Method::scheme,
+             .doc = "how surfaces are treated; conservative: cut cells that keep mass, momentum and energy; "
+                    "ghost-fluid: whole cells and ghost values; seed: the scheme of the contact-separation "
+                    "paper, to compare with",
+             .example = R"("conservative")",
+             .choices = {"conservative", "ghost-fluid", "seed"}},
+            {.name = "kappa",
+             .member = &Method::kappa,
+             .most = 1,
+             .positive = true,
+             .doc = "scheme = \"seed\" only: bodies meet when this many cells still lie between them",
+             .example = "0.5",
+             .when = [](const Method& m) { return m.scheme == "seed"; }}};
+  }
+  void check(const TableReading& reading) const;
+};
+
+}  // namespace recoil::config

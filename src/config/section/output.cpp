@@ -1,0 +1,12 @@
+#include "config/section/output.hpp"
+
+#include "config/declare/part.hpp"
+
+namespace recoil::config {
+
+Entries<Output> Output::keys() {
+  return {{.name = "fields", .member = part_of<&Output::fields>(), .doc = "pictures of the whole domain"},
+          {.name = "history", .member = part_of<&Output::history>(), .doc = "sums over each body"}};
+}
+
+}  // namespace recoil::config

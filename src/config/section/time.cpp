@@ -1,0 +1,12 @@
+#include "config/section/time.hpp"
+
+#include "config/declare/reading.hpp"
+
+namespace recoil::config {
+
+void TimeChoice::check(const TableReading& reading) const {
+  if (reading.has("fixed-dt") && reading.has("cfl"))
+    reading.refuse("fixed-dt", "'fixed-dt' and 'cfl' exclude each other", "take one of them out");
+}
+
+}  // namespace recoil::config

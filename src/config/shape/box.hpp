@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "config/declare/entry.hpp"
+#include "config/declare/reading.hpp"
+#include "config/shape/extent.hpp"
+#include "config/shape/slabs.hpp"
+
+namespace recoil::config {
+
+struct Box {
+  Vector lo{}, hi{};    // m; 1d: an interval; before rotation
+  double rotation = 0;  // rad, counter-clockwise about `centre`
+  Vector centre{};      // m
+
+  static constexpr const char* kind = "box";
+  static constexpr const char* doc =
+      "A box along the axes; in 1d an interval, axisymmetric a ring or a round plate.";
+  static std::vector<Alias> aliases() {
+    return {{"rectangle", "Another name of box in the plane.", {Geometry::planar, Geometry::axisymmetric}}};
+  }
+  static Entries<Box> keys() {
+    const auto side = [](const char* axis, const char* text) {
+      return Entry<Box>{.name = axis,
+                        .member = Extents<Box>{&Box::lo, &Box::hi},
+                        .unit = "m",
+                        .doc = text,
+                        .example = R"(["0 mm", "10 mm"])"};
+    };
+    return {side("x", "extent along x"),
+            side("y", "extent along y"),
+            side("r", "extent along the radius (axisymmetric)"),
+            side("z", "extent along z"),
+            {.name = "rotation",
+             .member = &Box::rotation,
+             .unit = "rad",
+             .doc = "turned by this angle about `centre`, counter-clockwise (planar, axisymmetric)",
+             .example = R"("10 deg")",
+             .only_in = {Geometry::planar, Geometry::axisymmetric},
+             .when = [](const Box& b) { return b.rotation != 0; }},
+            {.name = "centre",
+             .member = &Box::centre,
+             .unit = "m",
+             .doc = "centre of rotation; without it the middle",
+             .example = R"({ x = "1 mm" })",
+             .only_in = {Geometry::planar, Geometry::axisymmetric},
+             .when = [](const Box& b) { return b.rotation != 0; }}};
+  }
+  void check(const TableReading& reading) {
+    if (reading.in.geometry == Geometry::axisymmetric && reading.good("r") && lo[0] < 0)
+      reading.refuse("r", "'r' begins below the axis r = 0");
+    if (!reading.has("centre"))
+      for (std::size_t d = 0; d < 3; ++d) centre[d] = 0.5 * (lo[d] + hi[d]);
+  }
+
+  template <int Dim>
+  double distance(const Vec<Dim>& x, const Domain& /*domain*/) const {
+    const Vec<Dim> y = turned_back(rotation, centre, x);
+    std::array<double, Dim> slab{};
+    for (int d = 0; d < Dim; ++d) slab[d] = std::max(lo[d] - y[d], y[d] - hi[d]);
+    return from_slabs(slab);
+  }
+
+  /// With those faces that lie on the edge of the domain pushed far beyond it.
+  Box continued(const Domain& domain) const {
+    constexpr double far = 1e6;  // m
+    Box s = *this;
+    if (rotation != 0) return s;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double near = 1e-9 * (domain.hi[d] - domain.lo[d]);
+      if (s.lo[d] <= domain.lo[d] + near) s.lo[d] = domain.lo[d] - far;
+      if (s.hi[d] >= domain.hi[d] - near) s.hi[d] = domain.hi[d] + far;
+    }
+    return s;
+  }
+
+  /// What reaches the edge of the domain has no surface there.
+  double thickness(const Domain& domain) const {
+    double least = 1e300;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(dimension(domain.geometry)); ++d) {
+      const bool through = lo[d] <= domain.lo[d] && hi[d] >= domain.hi[d];
+      const bool mirrored = lo[d] <= domain.lo[d] && domain.boundary[d][0] != Boundary::outflow;
+      if (!through) least = std::min(least, (hi[d] - lo[d]) * (mirrored ? 2 : 1));
+    }
+    return least;
+  }
+  bool along_mesh() const { return rotation == 0; }
+
+  Extent extent(Geometry /*geometry*/) const { return rotation == 0 ? Extent{true, lo, hi} : Extent{}; }
+};
+
+}  // namespace recoil::config

@@ -1,0 +1,42 @@
+#include "gauge/gauge_watch.hpp"
+#include "gauge/probes.hpp"
+
+namespace recoil {
+
+namespace {
+
+template <int Dim>
+class SurfaceWatch : public GaugeWatch<Dim> {
+ public:
+  SurfaceWatch(const config::SurfaceVelocityGauge& from, const WatchSetup<Dim>& setup)
+      : point_{body_number(setup.state, from.body), first_components<Dim>(from.at), {}},
+        item_(setup.sums.item(surface_sums<Dim>)) {}
+
+  bool reads_every_step() const override { return true; }
+  void collect(const State<Dim>& state, const parallel::World& /*world*/, bool at_rest,
+               OrderedSums& sums) override {
+    if (at_rest)
+      probe_surface_at_rest(state, point_, item_, sums);
+    else
+      probe_surface(state, point_, item_, sums);
+  }
+  void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
+    const auto surface = read_surface<Dim>(reading.sums.total(item_));
+    follow_surface(point_, surface, reading.dt);
+    row.push_back(surface.found ? dot(surface.velocity, surface.normal) : nothing);
+    for (int d = 0; d < Dim; ++d) row.push_back(surface.found ? surface.velocity[d] : nothing);
+    append(row, point_.at);
+  }
+  void pack(parallel::Bytes& bytes) const override { parallel::pack(bytes, point_); }
+  void unpack(parallel::Unpacker& bytes) override { point_ = bytes.read<SurfacePoint<Dim>>(); }
+
+ private:
+  SurfacePoint<Dim> point_;
+  int item_;
+};
+
+}  // namespace
+
+RECOIL_WATCH(config::SurfaceVelocityGauge, SurfaceWatch)
+
+}  // namespace recoil
