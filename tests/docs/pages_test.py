@@ -1,0 +1,71 @@
+#!/usr/bin/python3
+"""Pages of docs/ against the sources and the program.
+
+Every block of C++ of a how-to page docs/how-to/NAME.md stands word for word in tests/unit/howto/NAME_test.cpp (with _
+for -), which is compiled and run with the unit tests. With RECOIL_PROGRAM also: docs/reference/ is what the program
+writes. Every case names a schema that is there.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BLOCK = re.compile(r"^```cpp\n(.*?)^```", re.S | re.M)
+PAGES = ("add-a-gauge", "add-a-shape", "add-an-equation-of-state", "add-a-strength-model")
+
+
+def lines(text):
+    """The lines without indentation and empty ones."""
+    return [line.strip() for line in text.splitlines() if line.strip()]
+
+
+def stands_in(part, whole):
+    """Whether the lines `part` follow each other somewhere in `whole`."""
+    return any(whole[k : k + len(part)] == part for k in range(len(whole) - len(part) + 1))
+
+
+class HowTo(unittest.TestCase):
+    def test_every_block_is_compiled(self):
+        for name in PAGES:
+            source = ROOT / "tests" / "unit" / "howto" / (name.replace("-", "_") + "_test.cpp")
+            blocks = BLOCK.findall((ROOT / "docs" / "how-to" / (name + ".md")).read_text())
+            self.assertTrue(blocks, f"{name}.md shows no C++")
+            for block in blocks:
+                self.assertTrue(
+                    stands_in(lines(block), lines(source.read_text())),
+                    f"this block of {name}.md does not stand in {source.relative_to(ROOT)}; change both:\n{block}",
+                )
+
+
+class Reference(unittest.TestCase):
+    def check_file(self, name, *words):
+        program = os.environ["RECOIL_PROGRAM"]
+        written = subprocess.run([program, *words], capture_output=True, text=True, check=True, timeout=60).stdout
+        self.assertEqual(
+            (ROOT / "docs" / "reference" / name).read_text(), written,
+            f"docs/reference/{name} is not what the program writes: renew it with `make docs`",
+        )  # fmt: skip
+
+    def test_reference_page(self):
+        self.check_file("case.md", "schema", "--markdown")
+
+    def test_schema(self):
+        self.check_file("recoil-case-1.schema.json", "schema")
+
+
+class Cases(unittest.TestCase):
+    def test_every_case_names_its_schema(self):
+        cases = sorted((ROOT / "cases").glob("*/case.toml"))
+        self.assertTrue(cases)
+        for case in cases:
+            first = case.read_text().splitlines()[0]
+            self.assertRegex(first, r"^#:schema \S+$", case)
+            schema = (case.parent / first.split()[1]).resolve()
+            self.assertTrue(schema.is_file(), f"{case}: there is no {schema}")
+
+
+if __name__ == "__main__":
+    unittest.main()
