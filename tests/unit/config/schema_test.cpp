@@ -6,6 +6,7 @@
 
 #include "config/document.hpp"
 #include "config/keys.hpp"
+#include "config/table.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
 
@@ -48,6 +49,41 @@ TEST(Schema, TheRegistryIsWhole) {
       EXPECT_NO_THROW(dimension_name(key.unit)) << key.name;
     }
   }
+}
+
+TEST(Schema, ExamplesAndDefaultsCanBeRead) {
+  int read = 0;
+  for (const Section& section : case_sections())
+    for (const Key& key : section.keys)
+      for (const std::string& text : {key.example, key.default_text}) {
+        const bool plain = key.type != Key::Type::any && key.type != Key::Type::table;
+        if (text.empty() || !plain || text.starts_with("{ kind")) continue;
+        Node table;
+        table.kind = Node::Kind::table;
+        Node value = parse_value(text, {});
+        value.key = key.name;
+        table.children = {value};
+        Diagnostics out;
+        std::vector<std::string> axes{"x", "y", "z"};
+        if (key.type == Key::Type::turn && !value.is_table()) axes.pop_back();  // a quantity in the plane
+        read_record(table, {&key, 1}, out, axes);
+        EXPECT_EQ(out.text(), "") << section.name << "." << key.name << " = " << text;
+        ++read;
+      }
+  EXPECT_GT(read, 100);
+}
+
+TEST(Schema, GaugesAreListedByKindWithTheirColumns) {
+  int kinds = 0;
+  for (const Section& section : case_sections()) {
+    if (section.name != "gauge.*") continue;
+    ++kinds;
+    EXPECT_FALSE(section.columns.empty()) << section.kind;
+    EXPECT_NE(section.kind, "");
+  }
+  EXPECT_EQ(kinds, 7);
+  EXPECT_NE(explain("gauge").find("peak-stress"), std::string::npos);
+  EXPECT_NE(explain("gauge").find("velocity.AXIS"), std::string::npos);
 }
 
 TEST(Explain, FindsKeysByPathAndByName) {
