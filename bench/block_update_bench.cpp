@@ -2,6 +2,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdint>
+#include <string>
+
 #include "dynamics/block_update.hpp"
 #include "sample.hpp"
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <set>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "app/estimate.hpp"
 #include "app/load_case.hpp"

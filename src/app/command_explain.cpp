@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <string>
+
 #include "app/commands.hpp"
 #include "config/schema.hpp"
 #include "material/library.hpp"

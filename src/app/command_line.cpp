@@ -5,7 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <new>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/launch.hpp"

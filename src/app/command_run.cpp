@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <exception>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"

@@ -1,6 +1,7 @@
 #include "app/data_folder.hpp"
 
 #include <cstdlib>
+#include <system_error>
 
 #include "app/launch.hpp"
 #include "core/build_info.hpp"

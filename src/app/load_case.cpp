@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+#include <utility>
+
 #include "app/data_folder.hpp"
 #include "config/read_case.hpp"
 #include "config/section/expect.hpp"

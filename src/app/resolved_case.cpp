@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <set>
 
 #include "config/declare/write.hpp"

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <ctime>
+#include <string>
+#include <vector>
 
 #include "app/command_line.hpp"
 #include "app/estimate.hpp"

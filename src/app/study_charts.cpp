@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "config/units.hpp"
 #include "format/csv.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "app/reporter.hpp"
 #include "record/summary.hpp"
 

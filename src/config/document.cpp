@@ -4,7 +4,9 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <cstddef>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <tuple>
 #include <utility>

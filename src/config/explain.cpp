@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "config/document.hpp"
 #include "config/keys.hpp"

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <cstddef>
 
 #include "core/error.hpp"
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 
 #include "config/declare/read_struct.hpp"
 #include "config/overrides.hpp"

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <system_error>
 #include <vector>
 
 #include "core/closest.hpp"

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstddef>
 #include <string_view>
+#include <system_error>
 
 namespace recoil::config {
 

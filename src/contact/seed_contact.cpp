@@ -1,7 +1,9 @@
 #include "contact/seed_contact.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace recoil {

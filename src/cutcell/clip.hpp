@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "core/index.hpp"
 #include "core/vec.hpp"
 

@@ -1,8 +1,12 @@
 #include "cutcell/geometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "cutcell/clip.hpp"
 

@@ -1,7 +1,10 @@
 #include "cutcell/moves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "cutcell/geometry.hpp"
 

@@ -1,7 +1,10 @@
 #include "cutcell/redistribution.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
 
 #include "cutcell/geometry.hpp"

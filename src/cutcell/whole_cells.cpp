@@ -1,5 +1,10 @@
 #include "cutcell/whole_cells.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <variant>
+
 namespace recoil {
 
 namespace {

@@ -1,5 +1,12 @@
 #include "dynamics/block_update.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <variant>
+
 #include "cutcell/geometry.hpp"
 #include "cutcell/whole_cells.hpp"
 #include "dynamics/face_rows.hpp"

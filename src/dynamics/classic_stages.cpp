@@ -1,6 +1,7 @@
 #include "dynamics/classic_stages.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace recoil {
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "state/body.hpp"
 
 namespace recoil {

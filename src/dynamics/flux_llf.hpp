@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "dynamics/convex_eno.hpp"
 #include "dynamics/flux.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "dynamics/primitives.hpp"
 #include "material/radial_return.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "state/body.hpp"
 
 namespace recoil {

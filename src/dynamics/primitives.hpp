@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "core/scratch.hpp"
 #include "state/body.hpp"
 

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
+#include <variant>
 
 #include "core/error.hpp"
 #include "format/hdf5_handle.hpp"

@@ -1,6 +1,8 @@
 #include "gauge/contact_fields.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "gauge/level_set_slope.hpp"

@@ -1,6 +1,8 @@
 #include "gauge/gauges.hpp"
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace recoil {

@@ -1,6 +1,8 @@
 #include "gauge/pair_sampler.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace recoil {
 

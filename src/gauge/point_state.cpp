@@ -1,6 +1,7 @@
 #include "gauge/point_state.hpp"
 
 #include <cmath>
+#include <variant>
 
 #include "dynamics/plastic_return.hpp"
 #include "dynamics/primitives.hpp"

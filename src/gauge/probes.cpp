@@ -1,5 +1,6 @@
 #include "gauge/probes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dynamics/primitives.hpp"

@@ -1,6 +1,7 @@
 #include "gauge/stress_line.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 #include "dynamics/primitives.hpp"
 #include "gauge/point_state.hpp"

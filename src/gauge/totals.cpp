@@ -1,8 +1,12 @@
 #include "gauge/totals.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "parallel/ordered_sums.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 
 #include "contact/touch.hpp"
 #include "interface/opposite.hpp"

@@ -1,7 +1,11 @@
 #include "interface/fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <variant>
 
 #include "dynamics/primitives.hpp"
 

@@ -1,6 +1,7 @@
 #include "interface/nearest_wall.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 
 namespace recoil {

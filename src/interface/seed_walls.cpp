@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "contact/seed_contact.hpp"
 #include "interface/each_ghost_wall.hpp"

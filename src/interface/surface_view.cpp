@@ -1,5 +1,7 @@
 #include "interface/surface_view.hpp"
 
+#include <cstddef>
+
 namespace recoil {
 
 namespace {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/scratch.hpp"
 #include "cutcell/geometry.hpp"
 

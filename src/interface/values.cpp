@@ -1,7 +1,11 @@
 #include "interface/values.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <variant>
 
 #include "dynamics/primitives.hpp"
 #include "interface/nearest_wall.hpp"

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <variant>
 
 #include "contact/friction.hpp"
 #include "contact/touch.hpp"

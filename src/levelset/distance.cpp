@@ -1,7 +1,10 @@
 #include "levelset/distance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace recoil {
 

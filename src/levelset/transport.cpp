@@ -1,7 +1,9 @@
 #include "levelset/transport.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "core/mul_add.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <variant>

@@ -7,7 +7,10 @@
 #include <p8est_extended.h>
 #include <p8est_ghost.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <utility>
 
 #include "core/error.hpp"
 

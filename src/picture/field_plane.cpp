@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <set>
+#include <system_error>
 
 #include "core/error.hpp"
 #include "picture/raster.hpp"

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "core/error.hpp"
 #include "levelset/transport.hpp"

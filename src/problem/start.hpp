@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "config/case.hpp"
 #include "config/diagnostics.hpp"
 #include "state/body.hpp"

@@ -4,9 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "core/closest.hpp"
 #include "core/error.hpp"

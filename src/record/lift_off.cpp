@@ -1,6 +1,7 @@
 #include "record/lift_off.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "record/events.hpp"
 

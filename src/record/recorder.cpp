@@ -1,8 +1,13 @@
 #include "record/recorder.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "core/error.hpp"

@@ -1,5 +1,6 @@
 #include "state/body.hpp"
 
+#include <cstddef>
 #include <type_traits>
 
 #include "state/fields.hpp"

@@ -1,5 +1,8 @@
 #include "state/exchange_fields.hpp"
 
+#include <cstdint>
+#include <vector>
+
 #include "field/exchange.hpp"
 
 namespace recoil {

@@ -1,6 +1,7 @@
 #include "state/rigid_motion.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 namespace recoil {
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "cutcell/geometry.hpp"
 #include "cutcell/whole_cells.hpp"
 #include "timestep/step_run.hpp"

@@ -1,6 +1,10 @@
 #include "timestep/rigid_bodies.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 #include "parallel/ordered_sums.hpp"
 

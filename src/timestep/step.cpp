@@ -1,6 +1,8 @@
 #include "timestep/step.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "timestep/conservative_phases.hpp"
 

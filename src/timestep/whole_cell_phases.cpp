@@ -1,5 +1,7 @@
 #include "timestep/whole_cell_phases.hpp"
 
+#include <cstddef>
+
 #include "interface/fit.hpp"
 #include "interface/ghost_walls.hpp"
 #include "interface/seed_walls.hpp"

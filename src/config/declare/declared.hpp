@@ -1,7 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
 #include <type_traits>
+#include <variant>
+#include <vector>
 
 #include "config/declare/entry.hpp"
 #include "config/declare/write.hpp"

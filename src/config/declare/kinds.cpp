@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace recoil::config {
 
 const KindName* find_kind(const Node& node, const char* noun, const Key& kind_key,

@@ -1,6 +1,12 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "config/declare/read_struct.hpp"
 #include "config/declare/write_struct.hpp"

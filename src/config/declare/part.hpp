@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "config/declare/read_struct.hpp"
 #include "config/declare/write_struct.hpp"
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstddef>
+
 namespace recoil::config {
 
 std::string written_text(const std::string& text) {

@@ -1,5 +1,14 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
 #include "config/declare/declared.hpp"
 
 /// Writes structs that declare their keys (entry.hpp) back as tables, in SI and with defaults.

@@ -1,5 +1,6 @@
 #include "config/section/body.hpp"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>

@@ -1,6 +1,9 @@
 #include "config/section/contact.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstddef>
 
 #include "config/declare/part.hpp"
 

@@ -1,5 +1,11 @@
 #include "config/section/domain.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
 #include "config/declare/part.hpp"
 
 namespace recoil::config {

@@ -1,7 +1,10 @@
 #include "config/section/expect.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "config/declare/read_struct.hpp"
 #include "config/declare/write_struct.hpp"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+
 #include "config/declare/reading.hpp"
 
 namespace recoil::config {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 #include "config/declare/entry.hpp"
 #include "config/shape/extent.hpp"

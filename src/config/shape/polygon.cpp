@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "config/declare/reading.hpp"
 #include "config/declare/write.hpp"

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstddef>
+#include <string>
+
 #include "config/declare/kinds.hpp"
 
 namespace recoil::config {

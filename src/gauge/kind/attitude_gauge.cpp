@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "gauge/attitude.hpp"
 #include "gauge/gauge_watch.hpp"
 

@@ -1,3 +1,6 @@
+#include <string>
+#include <vector>
+
 #include "gauge/bar_shape.hpp"
 #include "gauge/gauge_watch.hpp"
 

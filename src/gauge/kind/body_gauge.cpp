@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "gauge/gauge_watch.hpp"
 
 namespace recoil {

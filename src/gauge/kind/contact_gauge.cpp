@@ -1,7 +1,10 @@
 #include "gauge/kind/contact_gauge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "gauge/gauge_watch.hpp"
 #include "state/contact_sums.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "parallel/ordered_sums.hpp"
 #include "state/body.hpp"
 

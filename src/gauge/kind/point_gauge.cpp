@@ -1,3 +1,6 @@
+#include <cstddef>
+#include <vector>
+
 #include "gauge/gauge_watch.hpp"
 #include "gauge/probes.hpp"
 

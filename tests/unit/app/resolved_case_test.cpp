@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <string>
 
 #include "../support/scratch_folder.hpp"
 

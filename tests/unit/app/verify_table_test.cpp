@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "../support/scratch_folder.hpp"
 #include "record/summary.hpp"

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "config/read_case.hpp"
 
 namespace recoil::config {

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "config/overrides.hpp"
 #include "config/read_case.hpp"
 

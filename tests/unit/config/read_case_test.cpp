@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "../support/scratch_folder.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "config/read_case.hpp"
 
 namespace recoil::config {

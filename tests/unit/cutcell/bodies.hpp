@@ -1,7 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "../core/random.hpp"

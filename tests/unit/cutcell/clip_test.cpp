@@ -1,6 +1,8 @@
 #include "cutcell/clip.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "../core/dimensions.hpp"
 #include "../core/random.hpp"

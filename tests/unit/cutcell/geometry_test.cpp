@@ -1,6 +1,9 @@
 #include "cutcell/geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "../core/dimensions.hpp"
 #include "bodies.hpp"

@@ -1,6 +1,9 @@
 #include "cutcell/moves.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "../core/dimensions.hpp"
 #include "bodies.hpp"

@@ -1,7 +1,10 @@
 #include "cutcell/redistribution.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <vector>
 
 #include "../core/dimensions.hpp"
 #include "bodies.hpp"

@@ -1,6 +1,9 @@
 #include "dynamics/block_update.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
 
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"

@@ -1,6 +1,9 @@
 #include "dynamics/flux.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "../core/dimensions.hpp"

@@ -1,6 +1,7 @@
 #include "dynamics/plastic_return.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"

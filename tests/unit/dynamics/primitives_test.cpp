@@ -1,7 +1,10 @@
 #include "dynamics/primitives.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <string>
 
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"

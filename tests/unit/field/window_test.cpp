@@ -1,5 +1,10 @@
 #include "field/window.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
 #include "../core/dimensions.hpp"
 #include "../mesh/grids.hpp"
 

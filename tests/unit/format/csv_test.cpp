@@ -4,6 +4,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>

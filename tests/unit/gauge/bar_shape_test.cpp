@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 #include "../support/small_case.hpp"
 
 namespace recoil {

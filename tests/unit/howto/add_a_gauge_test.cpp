@@ -1,7 +1,9 @@
 // What docs/how-to/add-a-gauge.md shows, compiled and tried. Its blocks of C++ stand here word for word.
 #include <gtest/gtest.h>
 
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "../support/small_case.hpp"
 #include "config/declare/common_keys.hpp"

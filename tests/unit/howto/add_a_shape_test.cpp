@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "config/declare/kinds.hpp"
 #include "config/shape/shape.hpp"

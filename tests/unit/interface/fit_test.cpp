@@ -1,6 +1,9 @@
 #include "interface/fit.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <type_traits>
 
 #include "../core/dimensions.hpp"
 #include "prepared.hpp"

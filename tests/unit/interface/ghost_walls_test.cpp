@@ -1,6 +1,9 @@
 #include "interface/ghost_walls.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "../core/dimensions.hpp"
 #include "interface/opposite.hpp"

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "../cutcell/bodies.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/fit.hpp"

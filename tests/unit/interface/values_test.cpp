@@ -1,6 +1,7 @@
 #include "interface/values.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 #include "../core/dimensions.hpp"
 #include "dynamics/block_update.hpp"

@@ -1,6 +1,10 @@
 #include "interface/walls.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "../core/dimensions.hpp"
 #include "prepared.hpp"

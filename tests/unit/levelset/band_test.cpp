@@ -1,6 +1,7 @@
 #include "levelset/band.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"

@@ -1,6 +1,9 @@
 #include "levelset/distance.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"

@@ -4,8 +4,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace recoil {
 namespace {

@@ -1,7 +1,11 @@
 #include "mesh/mesh.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <set>
+#include <vector>
 
 #include "../core/dimensions.hpp"
 #include "field/exchange.hpp"

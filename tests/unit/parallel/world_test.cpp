@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "core/error.hpp"
 #include "session.hpp"

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "../support/scratch_folder.hpp"
 #include "core/error.hpp"

@@ -1,6 +1,8 @@
 #include "problem/start.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <string>
 
 #include "../core/dimensions.hpp"
 #include "../material/samples.hpp"

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+
 #include "../support/small_case.hpp"
 #include "record/events.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <string>
 
 #include "../support/scratch_folder.hpp"
 #include "core/error.hpp"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "../cutcell/bodies.hpp"
 
 namespace recoil {
