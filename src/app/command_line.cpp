@@ -36,6 +36,8 @@ struct Commands {
   PlotOptions plot;
   StudyOptions study;
   VerifyOptions verify;
+  ResumeOptions resume;
+  StatusOptions status;
   std::string material, key;
   bool markdown = false;
   std::function<int()> chosen;
@@ -46,8 +48,10 @@ struct Commands {
     top.set_help_flag("-h,--help", "print this help and leave");
     top.footer(
         "Exit codes: 0 finished, 1 our bug, 2 bad input or usage, 3 numerical failure, 4 environment,\n"
-        "5 finished but an expectation failed. `recoil COMMAND --help` tells more.");
+        "5 finished but an expectation failed, 75 stopped and can be resumed. `recoil COMMAND --help` tells "
+        "more.");
     add_run();
+    add_resume();
     add_check();
     add_plot();
     add_study();
@@ -60,6 +64,9 @@ struct Commands {
     c->callback([this, action = std::move(action)] { chosen = action; });
     return c;
   }
+
+  static constexpr const char* wall_doc =
+      "stop with a checkpoint after this much wall time, as 2h or 30min; exit code 75";
 
   static void add_set(CLI::App& c, std::vector<std::string>& overrides) {
     c.add_option("--set", overrides, "PATH=VALUE: change one value of the case; may be repeated")
@@ -78,10 +85,32 @@ struct Commands {
         ->check(CLI::PositiveNumber);
     add_set(*c, run.overrides);
     c->add_option("--end", run.end, "end at this time instead")->type_name("TIME");
+    c->add_option("--wall", run.wall, wall_doc)->type_name("TIME");
     c->add_flag("--force", run.force, "replace a finished run");
     c->add_flag("-q,--quiet", run.quiet, "print errors and the verdict only");
     c->add_flag("-v,--verbose", run.verbose, "print where the time went, too");
     c->add_flag("--plain", run.plain, "lines instead of a live one");
+  }
+
+  void add_resume() {
+    CLI::App* c = command(top, "resume", "go on with a run from its last checkpoint, to the same bits",
+                          [this] { return app::resume(resume); });
+    c->add_option("dir", resume.folder, "folder of the run")->required()->type_name("DIR");
+    c->add_option("--to", resume.to, "end at this time instead")->type_name("TIME");
+    c->add_option("--from", resume.from, "go on from this checkpoint instead of the newest")
+        ->type_name("FILE");
+    add_set(*c, resume.overrides);
+    c->add_option("-n,--ranks", resume.ranks, "processes, started with mpirun")->check(CLI::PositiveNumber);
+    c->add_option("-j,--threads", resume.threads,
+                  "threads of each process; without it 1 in 1d, else all processors")
+        ->check(CLI::PositiveNumber);
+    c->add_option("--wall", resume.wall, wall_doc)->type_name("TIME");
+    c->add_flag("-q,--quiet", resume.quiet, "print errors and the verdict only");
+    c->add_flag("-v,--verbose", resume.verbose, "print where the time went, too");
+    c->add_flag("--plain", resume.plain, "lines instead of a live one");
+    CLI::App* s = command(top, "status", "tell how far a run is", [this] { return app::status(status); });
+    s->add_option("dir", status.folder, "folder of the run")->required()->type_name("DIR");
+    s->add_flag("--watch", status.watch, "again and again, until the run ends");
   }
 
   void add_check() {

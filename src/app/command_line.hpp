@@ -11,7 +11,8 @@ enum ExitCode : int {
   exit_bad_input = 2,
   exit_numerical_failure = 3,
   exit_environment = 4,
-  exit_expectation_failed = 5
+  exit_expectation_failed = 5,
+  exit_stopped = 75  // as asked, and `recoil resume` goes on
 };
 
 /// The whole program: reads the command line, does what it asks for, returns the exit code. Throws nothing.

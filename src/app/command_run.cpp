@@ -1,19 +1,29 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <fmt/ranges.h>
 #include <algorithm>
+
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "app/checkpoint_folder.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/launch.hpp"
 #include "app/load_case.hpp"
 #include "app/run_folder.hpp"
 #include "app/simulation.hpp"
+#include "config/units.hpp"
 #include "core/error.hpp"
 
 namespace recoil::app {
@@ -30,19 +40,43 @@ int default_threads(const config::Case& c, int ranks) {
 
 /// Under mpirun, whose processes always write to something like a terminal, only -n says whether there is
 /// one.
-Display display_of(const RunOptions& options) {
+template <class Options>
+Display display_of(const Options& options) {
   if (options.quiet) return Display::none;
   const bool terminal = launched() ? std::getenv(terminal_mark) != nullptr : isatty(STDOUT_FILENO) == 1;
   return !options.plain && terminal ? Display::live : Display::plain;
 }
 
+/// A limit of wall time [s]; 0: none. @throws InputError.
+double wall_limit(const std::string& text) {
+  if (text.empty()) return 0;
+  const auto value = config::parse_quantity(text, "s", "--wall");
+  if (!value.ok() || !(value.value > 0))
+    throw InputError(fmt::format("error: --wall {}: {}\n   = help: write it as 2h, 30min or 90s", text,
+                                 value.ok() ? "a time above zero is needed" : value.problem));
+  return value.value;
+}
+
 /// The command line of one of the processes under mpirun: ours without -n.
+std::vector<std::string> arguments_of(const ResumeOptions& o) {
+  std::vector<std::string> words{"resume", o.folder};
+  if (!o.from.empty()) words.insert(words.end(), {"--from", o.from});
+  if (!o.to.empty()) words.insert(words.end(), {"--to", o.to});
+  if (o.threads > 0) words.insert(words.end(), {"-j", std::to_string(o.threads)});
+  for (const std::string& change : o.overrides) words.insert(words.end(), {"--set", change});
+  if (!o.wall.empty()) words.insert(words.end(), {"--wall", o.wall});
+  if (o.quiet) words.push_back("--quiet");
+  if (o.verbose) words.push_back("--verbose");
+  if (o.plain) words.push_back("--plain");
+  return words;
+}
 std::vector<std::string> arguments_of(const RunOptions& o) {
   std::vector<std::string> words{"run", o.file};
   if (!o.folder.empty()) words.insert(words.end(), {"-o", o.folder});
   if (o.threads > 0) words.insert(words.end(), {"-j", std::to_string(o.threads)});
   for (const std::string& change : o.overrides) words.insert(words.end(), {"--set", change});
   if (!o.end.empty()) words.insert(words.end(), {"--end", o.end});
+  if (!o.wall.empty()) words.insert(words.end(), {"--wall", o.wall});
   if (o.force) words.push_back("--force");
   if (o.quiet) words.push_back("--quiet");
   if (o.verbose) words.push_back("--verbose");
@@ -81,31 +115,105 @@ int simulate_together(const LoadedCase& loaded, const SimulationOptions& options
 
 }  // namespace
 
-int run(const RunOptions& options) {
-  std::vector<std::string> overrides = options.overrides;
-  if (!options.end.empty()) overrides.push_back("time.end=" + options.end);
-  LoadedCase loaded = load_case(options.file, overrides);
-  if (!loaded.found.has_errors()) check_logic(loaded);
-  loaded.found.throw_if_errors();
+namespace {
+
+/// What `run` and `resume` have in common once the case is read.
+template <class Options>
+int start(const Options& options, const LoadedCase& loaded, SimulationOptions& simulation, bool force) {
+  simulation.speaks = speaks();
+  simulation.display = display_of(options);
+  simulation.verbose = options.verbose;
+  simulation.wall_limit = wall_limit(options.wall);
   if (options.ranks > 1 && !launched()) {
     if (isatty(STDOUT_FILENO)) setenv(terminal_mark, "1", 1);
     become_mpirun(options.ranks, arguments_of(options));
   }
   if (speaks() && !options.quiet && !loaded.found.list().empty())
     fmt::print(stderr, "{}", loaded.found.text());
-
-  SimulationOptions simulation;
-  simulation.folder =
-      options.folder.empty() ? "runs/" + short_name(find_case_file(options.file)) : options.folder;
-  simulation.speaks = speaks();
-  simulation.display = display_of(options);
-  simulation.verbose = options.verbose;
-  if (simulation.speaks) prepare_run_folder(simulation.folder, loaded, options.force);
+  std::optional<RunLock> lock;
+  if (simulation.speaks) {
+    lock.emplace(simulation.folder);
+    if (simulation.checkpoint.empty()) prepare_run_folder(simulation.folder, loaded, force);
+  }
   prepare_mpi_environment();
   const parallel::Session session;
   const parallel::World world;
   simulation.threads = options.threads > 0 ? options.threads : default_threads(loaded.contents, world.size());
   return simulate_together(loaded, simulation, world);
+}
+
+/// The checkpoint to go on from. @throws InputError where there is none.
+std::filesystem::path find_checkpoint(const ResumeOptions& options) {
+  if (!options.from.empty()) {
+    if (std::filesystem::exists(options.from)) return options.from;
+    const auto inside = std::filesystem::path(options.folder) / "checkpoints" / options.from;
+    if (std::filesystem::exists(inside)) return inside;
+    throw InputError(fmt::format("error: there is no checkpoint '{}'", options.from));
+  }
+  const auto all = checkpoints_of(options.folder);
+  if (all.empty())
+    throw InputError(
+        fmt::format("error: {} holds no checkpoint to go on from\n   = help: a run leaves them with "
+                    "[output.checkpoint] every-wall = \"10 min\", with --wall, and when it is stopped "
+                    "by Ctrl-C, SIGTERM or SIGUSR1",
+                    options.folder));
+  return all.back();
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  SimulationOptions simulation;
+  simulation.overrides = options.overrides;
+  if (!options.end.empty()) simulation.overrides.push_back("time.end=" + options.end);
+  LoadedCase loaded = load_case(options.file, simulation.overrides);
+  if (!loaded.found.has_errors()) check_logic(loaded);
+  loaded.found.throw_if_errors();
+  simulation.folder =
+      options.folder.empty() ? "runs/" + short_name(find_case_file(options.file)) : options.folder;
+  return start(options, loaded, simulation, options.force);
+}
+
+int resume(const ResumeOptions& options) {
+  SimulationOptions simulation;
+  simulation.folder = options.folder;
+  simulation.checkpoint = find_checkpoint(options);
+  const CheckpointText then = checkpoint_text(BlockFile(simulation.checkpoint).head().text);
+  simulation.overrides = then.overrides;
+  simulation.overrides.insert(simulation.overrides.end(), options.overrides.begin(), options.overrides.end());
+  if (!options.to.empty()) simulation.overrides.push_back("time.end=" + options.to);
+  LoadedCase loaded =
+      load_case((simulation.folder / "case.toml").string(), simulation.overrides, then.case_file);
+  loaded.found.throw_if_errors();
+  const std::vector<std::string> changed = changed_keys(then, describe(loaded, simulation.overrides));
+  if (!changed.empty())
+    throw InputError(
+        fmt::format("error: a run cannot go on with other values of {}\n   = help: time.end, output, gauges "
+                    "and expectations may "
+                    "change; for the rest start a new run",
+                    fmt::join(changed, ", ")));
+  return start(options, loaded, simulation, false);
+}
+
+int status(const StatusOptions& options) {
+  const std::filesystem::path file = std::filesystem::path(options.folder) / "status.json";
+  for (;;) {
+    std::ifstream in(file);
+    if (!in) throw InputError(fmt::format("error: {} holds no run: there is no status.json", options.folder));
+    const auto j = nlohmann::json::parse(in, nullptr, false);
+    if (j.is_discarded()) throw InputError(fmt::format("error: '{}' cannot be read", file.string()));
+    std::string state = j.value("state", "unknown");
+    if (state == "running" && !RunLock::is_held(options.folder)) state = "interrupted";
+    fmt::print("{}: {} at {:.6g} of {:.6g} us, step {}, dt {:.4g} ns, {:.0f} s so far, about {:.0f} s left\n",
+               options.folder, state, j.value("time_us", 0.0), j.value("end_us", 0.0), j.value("step", 0L),
+               j.value("dt_ns", 0.0), j.value("wall_s", 0.0),
+               state == "running" ? j.value("left_s", 0.0) : 0.0);
+    std::fflush(stdout);
+    if (state == "interrupted" && !checkpoints_of(options.folder).empty())
+      fmt::print("`recoil resume {}` goes on from its last checkpoint\n", options.folder);
+    if (!options.watch || state != "running") return exit_finished;
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+  }
 }
 
 }  // namespace recoil::app

@@ -13,12 +13,30 @@ struct RunOptions {
   int threads = 0;                     // of each process; 0: 1 in 1d, else as many as there are processors
   std::vector<std::string> overrides;  // PATH=VALUE
   std::string end;                     // instead of time.end
+  std::string wall;                    // limit of wall time, "2h"; empty: none
   bool force = false;                  // replace a finished run
   bool quiet = false;
   bool verbose = false;
   bool plain = false;  // lines instead of a live one
 };
 int run(const RunOptions& options);
+
+struct ResumeOptions {
+  std::string folder;                  // of the run
+  std::string from;                    // a checkpoint; empty: the newest
+  std::string to;                      // instead of time.end
+  std::vector<std::string> overrides;  // PATH=VALUE, of what may change
+  int ranks = 0, threads = 0;          // as of RunOptions
+  std::string wall;
+  bool quiet = false, verbose = false, plain = false;
+};
+int resume(const ResumeOptions& options);
+
+struct StatusOptions {
+  std::string folder;
+  bool watch = false;  // until the run has ended
+};
+int status(const StatusOptions& options);
 
 struct CheckOptions {
   std::vector<std::string> files;

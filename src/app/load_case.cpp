@@ -62,11 +62,13 @@ std::string short_name(const fs::path& case_file) {
   return fs::absolute(case_file).lexically_normal().parent_path().filename().string();
 }
 
-LoadedCase load_case(const std::string& word, const std::vector<std::string>& overrides) {
+LoadedCase load_case(const std::string& word, const std::vector<std::string>& overrides,
+                     const fs::path& home) {
   LoadedCase loaded;
   const fs::path file = find_case_file(word);
-  loaded.folder = file.parent_path();
+  loaded.folder = (home.empty() ? file : home).parent_path();
   loaded.contents = config::read_case(file.string(), loaded.document, loaded.found, overrides);
+  if (!home.empty()) loaded.contents.file = home.string();
   add_expected_file(loaded);
   for (const config::Body& body : loaded.contents.bodies) {
     Material none;

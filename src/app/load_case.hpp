@@ -29,7 +29,10 @@ std::string short_name(const std::filesystem::path& case_file);
 
 /// Reads the case, expected.toml, and the materials; all mistakes are in `found`. With errors the rest is
 /// only good for finding more of them. @throws InputError where there is no such file.
-LoadedCase load_case(const std::string& word, const std::vector<std::string>& overrides);
+/// @param home the file that the case counts as, where `word` is a copy of it: names, references and
+/// materials are looked for beside it; empty: none.
+LoadedCase load_case(const std::string& word, const std::vector<std::string>& overrides,
+                     const std::filesystem::path& home = {});
 
 /// Checks that need more than single values, for cases without errors so far: overlapping bodies, bodies
 /// outside the domain or too thin, gauges off their body, doubtful constants of materials.

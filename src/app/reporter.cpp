@@ -38,12 +38,12 @@ std::string text_of(const Progress& now, double wall, bool with_bar) {
 
 }  // namespace
 
-Reporter::Reporter(Display display, bool speaks, const std::filesystem::path& log)
+Reporter::Reporter(Display display, bool speaks, const std::filesystem::path& log, bool goes_on)
     : display_(display), speaks_(speaks), log_(nullptr, &std::fclose), start_(Clock::now()) {
   next_ = start_ + live_every;
   next_log_ = start_ + line_every;
   if (!speaks_) return;
-  log_.reset(std::fopen(log.c_str(), "w"));
+  log_.reset(std::fopen(log.c_str(), goes_on ? "a" : "w"));
   if (!log_) throw EnvironmentError(fmt::format("{} cannot be written", log.string()));
 }
 

@@ -26,8 +26,9 @@ struct Progress {
 /// nothing.
 class Reporter {
  public:
-  /// @param log file; @throws EnvironmentError where it cannot be written.
-  Reporter(Display display, bool speaks, const std::filesystem::path& log);
+  /// @param log file. @param goes_on adds to the log of before. @throws EnvironmentError where it cannot be
+  /// written.
+  Reporter(Display display, bool speaks, const std::filesystem::path& log, bool goes_on = false);
   ~Reporter();
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;

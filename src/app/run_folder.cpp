@@ -1,7 +1,16 @@
 #include "app/run_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "app/checkpoint_folder.hpp"
 #include "app/resolved_case.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
@@ -15,16 +24,63 @@ namespace {
 /// Everything that a run leaves behind, and nothing else is ever removed.
 constexpr const char* traces[] = {
     "case.toml",   "case.resolved.toml", "run.log", "status.json", "summary.json",
-    "history.csv", "events.csv",         "gauges",  "fields",      "crash"};
+    "history.csv", "events.csv",         "gauges",  "fields",      "crash",
+    "checkpoints"};
+
+constexpr const char* lock_name = ".lock";
+
+bool holds_nothing(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename() != lock_name) return false;
+  return true;
+}
+
+/// Whether a run here was stopped or killed, and left a checkpoint to go on from.
+bool was_interrupted(const fs::path& folder) {
+  return !fs::exists(folder / "summary.json") && !checkpoints_of(folder).empty();
+}
 
 void refuse_foreign(const fs::path& folder) {
-  if (fs::is_empty(folder) || fs::exists(folder / "case.resolved.toml") || fs::exists(folder / "status.json"))
+  if (holds_nothing(folder) || fs::exists(folder / "case.resolved.toml") ||
+      fs::exists(folder / "status.json"))
     return;
   throw InputError(fmt::format("the folder {} holds files, but no run\n   = help: choose another one with -o",
                                folder.string()));
 }
 
 }  // namespace
+
+RunLock::RunLock(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw EnvironmentError(fmt::format("the folder {} cannot be made: {}", folder.string(), error.message()));
+  const fs::path name = folder / lock_name;
+  file_ = open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (file_ < 0)
+    throw EnvironmentError(fmt::format("{} cannot be written: {}", name.string(), std::strerror(errno)));
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    close(file_);
+    throw InputError(
+        fmt::format("another run is writing to the folder {}\n   = help: wait for it, stop it, or "
+                    "choose another folder with -o; `recoil status {}` shows how far it is",
+                    folder.string(), folder.string()));
+  }
+}
+
+bool RunLock::is_held(const fs::path& folder) {
+  const int file = open((folder / lock_name).c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool held = flock(file, LOCK_EX | LOCK_NB) != 0;
+  close(file);
+  return held;
+}
+
+RunLock::~RunLock() {
+  if (file_ >= 0) close(file_);
+}
+
+RunLock::RunLock(RunLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
 
 void prepare_run_folder(const fs::path& folder, const LoadedCase& loaded, bool force) {
   try {
@@ -35,6 +91,11 @@ void prepare_run_folder(const fs::path& folder, const LoadedCase& loaded, bool f
           fmt::format("the folder {} holds a finished run\n   = help: --force replaces it, -o chooses "
                       "another folder",
                       folder.string()));
+    if (was_interrupted(folder) && !force)
+      throw InputError(
+          fmt::format("the folder {} holds an interrupted run\n   = help: `recoil resume {}` goes on with "
+                      "it, --force replaces it, -o chooses another folder",
+                      folder.string(), folder.string()));
     if (fs::exists(folder)) refuse_foreign(folder);
     for (const char* name : traces) fs::remove_all(folder / name);
     fs::create_directories(folder);

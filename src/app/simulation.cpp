@@ -10,13 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "app/checkpoint_folder.hpp"
 #include "app/command_line.hpp"
 #include "app/estimate.hpp"
+#include "app/stop_request.hpp"
 #include "app/verdict.hpp"
 #include "core/build_info.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
 #include "problem/start.hpp"
+#include "record/checkpoint.hpp"
 #include "record/recorder.hpp"
 #include "timestep/schemes.hpp"
 
@@ -70,21 +73,6 @@ void tell_timers(Reporter& reporter, const Timers<StepPhase>& timers, double wal
   }
 }
 
-/// The loop over steps. @param dt length of the last one [s], also after a failure.
-template <int Dim>
-void march(const config::Case& c, const Scheme<Dim>& scheme, State<Dim>& state, Engine& engine,
-           Recorder<Dim>& recorder, Reporter& reporter, double& dt) {
-  const Stepping stepping{c.time.cfl, c.time.fixed_dt, c.method.kappa};
-  const double cells = cells_with_matter(c);
-  const double last = c.time.end * (1 - 1e-12);  // the sum of the steps may miss the end by round-off
-  while (state.time < last) {
-    dt = scheme.advance(state, stepping, c.time.end, engine);
-    recorder.after_step(state, dt);
-    if (const std::vector<Event> news = recorder.take_news(); !news.empty()) tell_news(reporter, news);
-    reporter.progress({state.time, c.time.end, dt, state.step, cells});
-  }
-}
-
 }  // namespace
 
 /// Processor time of all processes and threads since a reading of the clock.
@@ -95,47 +83,133 @@ double processor_seconds(const parallel::World& world, std::clock_t since) {
 }
 
 template <int Dim>
-int simulate(const LoadedCase& loaded, const SimulationOptions& options, const parallel::World& world) {
-  const config::Case& c = loaded.contents;
-  Reporter reporter(options.display, options.speaks, options.folder / "run.log");
-  reporter.say(fmt::format("{}: {} process{} of {} thread{}, results in {}", c.title, world.size(),
-                           world.size() > 1 ? "es" : "", options.threads, options.threads > 1 ? "s" : "",
-                           options.folder.string()));
-  parallel::Team team(options.threads);
-  Engine engine{world, team, {}};
-  State<Dim> state = make_state<Dim>(c, loaded.materials, world);
-  const Scheme<Dim> scheme = scheme_of<Dim>(c.method.scheme);
-  scheme.prepare(state, engine);
-  Recorder<Dim> recorder(c, state, world, options.folder, &team);
-  recorder.begin(state);
+Simulation<Dim>::Simulation(const LoadedCase& loaded, const SimulationOptions& options,
+                            const parallel::World& world)
+    : loaded_(loaded),
+      case_(loaded.contents),
+      options_(options),
+      world_(world),
+      reporter_(options.display, options.speaks, options.folder / "run.log", !options.checkpoint.empty()),
+      team_(options.threads),
+      engine_{world, team_, {}},
+      state_(make_state<Dim>(case_, loaded.materials, world)),
+      scheme_(scheme_of<Dim>(case_.method.scheme)),
+      checkpoint_due_(case_.output.checkpoint.every),
+      cells_(cells_with_matter(case_)),
+      begun_(std::chrono::steady_clock::now()),
+      worked_(std::clock()) {
+  reporter_.say(fmt::format("{}: {} process{} of {} thread{}, results in {}", case_.title, world.size(),
+                            world.size() > 1 ? "es" : "", options.threads, options.threads > 1 ? "s" : "",
+                            options.folder.string()));
+  recorder_.emplace(case_, state_, world, options.folder, &team_);
+  if (options.checkpoint.empty()) {
+    scheme_.prepare(state_, engine_);
+    recorder_->begin(state_);
+  } else {
+    read_checkpoint(BlockFile(options.checkpoint), state_, *recorder_, world);
+    reporter_.say(fmt::format("goes on from {} at {:.6g} us, step {}", options.checkpoint.string(),
+                              state_.time * 1e6, state_.step));
+  }
+  checkpoint_due_.done(state_.time);
+}
 
-  const auto start = std::chrono::steady_clock::now();
-  const std::clock_t worked = std::clock();
-  const auto wall = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  double dt = 0;
+template <int Dim>
+double Simulation<Dim>::wall() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+}
+
+template <int Dim>
+bool Simulation<Dim>::finished() const {
+  return !(state_.time < case_.time.end * (1 - 1e-12));  // the sum of the steps may miss the end by round-off
+}
+
+template <int Dim>
+void Simulation<Dim>::tell_events() {
+  if (const std::vector<Event> news = recorder_->take_news(); !news.empty()) tell_news(reporter_, news);
+}
+
+template <int Dim>
+void Simulation<Dim>::advance() {
+  const Stepping stepping{case_.time.cfl, case_.time.fixed_dt, case_.method.kappa};
   try {
-    march(c, scheme, state, engine, recorder, reporter, dt);
+    dt_ = scheme_.advance(state_, stepping, case_.time.end, engine_);
+    recorder_->after_step(state_, dt_);
   } catch (const PhysicsError& e) {
-    recorder.abandon(state);
-    const auto folder = write_crash(options, state, dt, world.rank(), e.what());
+    recorder_->abandon(state_);
+    const auto folder = write_crash(options_, state_, dt_, world_.rank(), e.what());
     throw PhysicsError(fmt::format("{}\n   = help: what is known is in {}", e.what(), folder.string()));
   }
+  tell_events();
+  reporter_.progress({state_.time, case_.time.end, dt_, state_.step, cells_});
+}
+
+template <int Dim>
+void Simulation<Dim>::save() {
+  const auto file = checkpoint_file(options_.folder, state_.step);
+  if (world_.rank() == 0) std::filesystem::create_directories(file.parent_path());
+  write_checkpoint(file, to_json(describe(loaded_, options_.overrides)), state_, *recorder_, world_);
+  if (world_.rank() == 0) remove_old_checkpoints(options_.folder, case_.output.checkpoint.keep);
+  checkpoint_due_.done(state_.time);
+  saved_at_ = wall();
+}
+
+template <int Dim>
+void Simulation<Dim>::save_if_due() {
+  const config::CheckpointOutput& wanted = case_.output.checkpoint;
+  const bool by_time = wanted.every > 0 && checkpoint_due_.at(state_.time);
+  const bool by_wall = wanted.every_wall > 0 && world_.rank() == 0 && wall() - saved_at_ > wanted.every_wall;
+  if (wanted.every_wall > 0 ? world_.any(by_time || by_wall) : by_time) save();
+}
+
+template <int Dim>
+Summary Simulation<Dim>::finish() {
   RunFacts facts;
   facts.version = fmt::format("{} ({})", build_info::version, build_info::describe);
   facts.wall_s = wall();
-  facts.cpu_s = processor_seconds(world, worked);
-  const Summary summary = recorder.finish(state, facts);
-  tell_news(reporter, recorder.take_news());
-  if (options.verbose) tell_timers(reporter, engine.timers, facts.wall_s);
-  tell_verdict(reporter, summary);
-  reporter.say(fmt::format("results in {}", options.folder.string()));
-  return summary.exit;
+  facts.cpu_s = processor_seconds(world_, worked_);
+  const Summary summary = recorder_->finish(state_, facts);
+  tell_events();
+  if (options_.verbose) tell_timers(reporter_, engine_.timers, facts.wall_s);
+  tell_verdict(reporter_, summary);
+  reporter_.say(fmt::format("results in {}", options_.folder.string()));
+  return summary;
 }
 
-template int simulate<1>(const LoadedCase&, const SimulationOptions&, const parallel::World&);
-template int simulate<2>(const LoadedCase&, const SimulationOptions&, const parallel::World&);
-template int simulate<3>(const LoadedCase&, const SimulationOptions&, const parallel::World&);
+template <int Dim>
+void Simulation<Dim>::stop(const std::string& why) {
+  save();
+  recorder_->stop(state_);
+  reporter_.insist(fmt::format("stopped at {:.6g} us, {}; `recoil resume {}` goes on", state_.time * 1e6, why,
+                               options_.folder.string()));
+}
+
+template <int Dim>
+int simulate(const LoadedCase& loaded, const SimulationOptions& options, const parallel::World& world) {
+  watch_stop_signals();
+  const auto begun = std::chrono::steady_clock::now();
+  Simulation<Dim> run(loaded, options, world);
+  const auto out_of_time = [&] {
+    const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - begun;
+    return options.wall_limit > 0 && so_far.count() > options.wall_limit;
+  };
+  while (!run.finished()) {
+    run.advance();
+    if (run.finished()) break;
+    if (world.any(stop_requested() || out_of_time())) {
+      run.stop(out_of_time() ? "at the limit of its wall time" : "as asked");
+      return exit_stopped;
+    }
+    run.save_if_due();
+  }
+  return run.finish().exit;
+}
+
+#define RECOIL_INSTANTIATE(Dim)   \
+  template class Simulation<Dim>; \
+  template int simulate<Dim>(const LoadedCase&, const SimulationOptions&, const parallel::World&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
 
 }  // namespace recoil::app

@@ -16,6 +16,14 @@ class Due {
     if (every_ > 0) next_ = (std::floor(time / every_ * (1 + 1e-12)) + 1) * every_;
   }
 
+  /// Goes on where another one of the same kind was.
+  void go_on(const Due& before) { next_ = before.next_; }
+  /// For checkpoints (parallel/archive.hpp).
+  template <class Archive>
+  void transfer(Archive& a) {
+    a(next_);
+  }
+
  private:
   double every_, next_ = 0;
 };

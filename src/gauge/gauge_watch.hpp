@@ -60,7 +60,7 @@ class GaugeWatch {
   /// The values of a record over a distance: [column][distance].
   virtual void read_all(std::vector<std::vector<double>>& /*values*/) const {}
 
-  /// What read() changes and all ranks need to know.
+  /// What follow() and read() have changed: all ranks need to know it, and checkpoints keep it.
   virtual void pack(parallel::Bytes& /*bytes*/) const {}
   virtual void unpack(parallel::Unpacker& /*bytes*/) {}
 };

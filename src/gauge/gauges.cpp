@@ -1,9 +1,12 @@
 #include "gauge/gauges.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
+
+#include "parallel/archive.hpp"
 
 namespace recoil {
 
@@ -47,6 +50,11 @@ void Gauges<Dim>::open(Gauge& g, std::vector<SeriesColumn> columns) {
   g.over_distance = !g.series.time.empty();
   if (g.over_distance) g.series.over = {"distance", "mm", 1e3};
   g.series.values.assign(g.series.columns.size(), std::vector<double>(g.series.time.size(), nothing));
+  open_file(g);
+}
+
+template <int Dim>
+void Gauges<Dim>::open_file(Gauge& g) {
   std::vector<std::string> names{g.series.over.name + " [" + g.series.over.unit + "]"};
   for (const SeriesColumn& c : g.series.columns) names.push_back(c.name + " [" + c.unit + "]");
   g.file.emplace(folder_ / (g.series.name + ".csv"), names);
@@ -71,11 +79,15 @@ void Gauges<Dim>::write(Gauge& g, double time) {
   if (g.over_distance) return;
   if (!g.series.time.empty() && !(time > g.series.time.back())) return;
   g.series.time.push_back(time);
-  written_.assign(1, time * 1e6);
-  for (std::size_t c = 0; c < row_.size(); ++c) {
-    g.series.values[c].push_back(row_[c]);
-    written_.push_back(row_[c] * g.series.columns[c].to_unit + 0.0);  // no -0 in files
-  }
+  for (std::size_t c = 0; c < row_.size(); ++c) g.series.values[c].push_back(row_[c]);
+  write_row(g, g.series.time.size() - 1);
+}
+
+template <int Dim>
+void Gauges<Dim>::write_row(Gauge& g, std::size_t record) {
+  written_.assign(1, g.series.time[record] * 1e6);
+  for (std::size_t c = 0; c < g.series.columns.size(); ++c)
+    written_.push_back(g.series.values[c][record] * g.series.columns[c].to_unit + 0.0);  // no -0 in files
   g.file->row(written_);
 }
 
@@ -137,6 +149,46 @@ std::vector<TimeSeries> Gauges<Dim>::series() const {
     if (g.over_distance) g.watch->read_all(s.values);
   }
   return all;
+}
+
+template <int Dim>
+void Gauges<Dim>::pack(parallel::Bytes& bytes) const {
+  parallel::ArchiveWriter archive(bytes);
+  archive(static_cast<std::uint64_t>(gauges_.size()));
+  for (const Gauge& g : gauges_) {
+    parallel::Bytes watch;
+    g.watch->pack(watch);
+    archive(g.series.name, static_cast<std::uint64_t>(g.series.columns.size()), g.due, watch, g.series.time,
+            g.series.values);
+  }
+}
+
+template <int Dim>
+void Gauges<Dim>::unpack(parallel::Unpacker& from) {
+  parallel::ArchiveReader archive(from);
+  std::uint64_t count = 0;
+  archive(count);
+  for (; count > 0; --count) {
+    std::string name;
+    std::uint64_t columns = 0;
+    Due due;
+    parallel::Bytes watch;
+    std::vector<double> time;
+    std::vector<std::vector<double>> values;
+    archive(name, columns, due, watch, time, values);
+    for (Gauge& g : gauges_) {
+      const bool same = g.series.name == name && (world_.rank() != 0 || g.series.columns.size() == columns);
+      if (!same) continue;
+      g.due.go_on(due);
+      parallel::Unpacker reader(watch);
+      g.watch->unpack(reader);
+      if (world_.rank() != 0 || g.over_distance) continue;
+      g.series.time = time;
+      g.series.values = values;
+      open_file(g);
+      for (std::size_t k = 0; k < time.size(); ++k) write_row(g, k);
+    }
+  }
 }
 
 template class Gauges<1>;

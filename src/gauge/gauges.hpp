@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -39,6 +40,12 @@ class Gauges {
   /// On rank 0.
   std::vector<TimeSeries> series() const;
 
+  /// For checkpoints: all records so far, and what the next ones depend on. On rank 0.
+  void pack(parallel::Bytes& bytes) const;
+  /// The same back, on all ranks; rank 0 writes the files anew. Gauges that the case no longer has are left
+  /// out, new ones begin now.
+  void unpack(parallel::Unpacker& from);
+
  private:
   struct Gauge {
     Due due;
@@ -48,6 +55,8 @@ class Gauges {
     std::optional<CsvWriter> file;
   };
   void open(Gauge& g, std::vector<SeriesColumn> columns);
+  void open_file(Gauge& g);
+  void write_row(Gauge& g, std::size_t record);
   void write(Gauge& g, double time);
   void write_distances(Gauge& g);
   void share();

@@ -14,6 +14,11 @@ struct Drift {
   double mass = 0;      ///< of the mass
   double momentum = 0;  ///< of the largest sum of m |u| so far; the worst axis
   double energy = 0;    ///< of the largest total energy so far
+
+  template <class Archive>
+  void transfer(Archive& a) {
+    a(name, mass, momentum, energy);
+  }
 };
 
 /// Compares what each deformable body holds with what it held at the start, what it has received over its
@@ -34,6 +39,12 @@ class BudgetWatch {
   const std::vector<Drift>& worst() const { return worst_; }
   /// Those of the last look.
   const std::vector<Drift>& now() const { return now_; }
+
+  /// For checkpoints (parallel/archive.hpp).
+  template <class Archive>
+  void transfer(Archive& a) {
+    a(lines_, worst_, now_);
+  }
 
  private:
   struct Sums {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/error.hpp"
+#include "parallel/archive.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
@@ -32,7 +34,12 @@ struct Watched {
   std::vector<double> place;       // m, mean, while they last touched
   std::vector<double> lift_place;  // m, of the last lift-off
   Three impulse_parted{};
-  Three velocity_made[2]{}, velocity_parted[2]{};  // m/s
+  std::array<Three, 2> velocity_made{}, velocity_parted{};  // m/s
+
+  template <class Archive>
+  void transfer(Archive& a) {
+    a(story, largest, steps_apart, parted, place, lift_place, impulse_parted, velocity_made, velocity_parted);
+  }
 };
 
 }  // namespace
@@ -74,7 +81,7 @@ struct EventWatch::Parts {
     return fmt::format("{} {} m/s", names[body], fmt::join(shown, " "));
   }
 
-  std::string motion_text(const Watched& w, const Three (&v)[2]) const {
+  std::string motion_text(const Watched& w, const std::array<Three, 2>& v) const {
     const std::string first = velocity_text(w.a, v[0]), second = velocity_text(w.b, v[1]);
     return first + (first.empty() || second.empty() ? "" : ", ") + second;
   }
@@ -220,6 +227,21 @@ void EventWatch::finish() {
 const std::vector<Event>& EventWatch::events() const { return parts_->events; }
 
 std::vector<Event> EventWatch::take_news() { return std::exchange(parts_->news, {}); }
+
+void EventWatch::pack(parallel::Bytes& bytes) const {
+  parallel::ArchiveWriter archive(bytes);
+  archive(parts_->pairs, parts_->start, parts_->events, parts_->news);
+}
+
+void EventWatch::unpack(parallel::Unpacker& from) {
+  parallel::ArchiveReader archive(from);
+  std::vector<Watched> pairs;
+  archive(pairs, parts_->start, parts_->events, parts_->news);
+  require(pairs.size() == parts_->pairs.size(), "a checkpoint of other bodies");
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    pairs[k].a = parts_->pairs[k].a, pairs[k].b = parts_->pairs[k].b;
+  parts_->pairs = std::move(pairs);
+}
 
 std::vector<PairStory> EventWatch::stories() const {
   std::vector<PairStory> all;

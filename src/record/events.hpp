@@ -8,6 +8,7 @@
 
 #include "config/case.hpp"
 #include "gauge/pair_sample.hpp"
+#include "parallel/world.hpp"
 
 namespace recoil {
 
@@ -18,6 +19,11 @@ struct Event {
   std::string bodies;         ///< "flyer-target"
   std::vector<double> place;  ///< m, mean place of the contact; one component per axis, empty: none
   std::string detail;
+
+  template <class Archive>
+  void transfer(Archive& a) {
+    a(time, kind, bodies, place, detail);
+  }
 };
 
 /// What became of the contact of one pair of bodies. Times are NaN where it did not come to that.
@@ -32,6 +38,12 @@ struct PairStory {
   double opens_again = 0;                ///< s, as `opens`, of the second opening
   double restitution = 0;  ///< relative velocity of the mean motions along the impulse: after the last
                            ///< opening over before the first touch, turned around
+
+  template <class Archive>
+  void transfer(Archive& a) {
+    a(first, second, made, opens, recloses, open, lift_first, lift_last, closes_again, opens_again,
+      restitution);
+  }
 };
 
 /// A change of contact is believed when it has lasted this many steps, or to the end of the run.
@@ -65,6 +77,10 @@ class EventWatch {
   /// Those since the last call, in the order in which they became known.
   std::vector<Event> take_news();
   std::vector<PairStory> stories() const;
+
+  /// For checkpoints: all that it knows, and the same back in a watch of the same bodies.
+  void pack(parallel::Bytes& bytes) const;
+  void unpack(parallel::Unpacker& from);
 
  private:
   struct Parts;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "core/closest.hpp"
@@ -17,6 +18,7 @@
 #include "dynamics/primitives.hpp"
 #include "gauge/contact_fields.hpp"
 #include "gauge/point_state.hpp"
+#include "parallel/archive.hpp"
 
 namespace recoil {
 
@@ -256,6 +258,28 @@ void FieldDump<Dim>::write(const State<Dim>& state, const parallel::World& world
   series_.push_back({file, state.time});
   if (world.rank() != 0) return;
   write_vtkhdf(folder_ / file, grid, state.time);
+  write_series(folder_ / (name_ + ".hdf.series"), series_);
+}
+
+template <int Dim>
+void FieldDump<Dim>::pack(parallel::Bytes& bytes) const {
+  parallel::ArchiveWriter archive(bytes);
+  std::vector<std::pair<std::string, double>> written;
+  for (const SeriesEntry& e : series_) written.emplace_back(e.name, e.time_s);
+  archive(written);
+}
+
+template <int Dim>
+void FieldDump<Dim>::unpack(parallel::Unpacker& from, bool removes) {
+  parallel::ArchiveReader archive(from);
+  std::vector<std::pair<std::string, double>> written;
+  archive(written);
+  series_.clear();
+  for (const auto& [file, time] : written) series_.push_back({file, time});
+  if (!removes) return;
+  std::error_code ignored;
+  for (std::size_t n = series_.size();; ++n)
+    if (!std::filesystem::remove(folder_ / fmt::format("{}_{:06}.hdf", name_, n), ignored)) break;
   write_series(folder_ / (name_ + ".hdf.series"), series_);
 }
 

@@ -42,6 +42,10 @@ class FieldDump {
   /// Time of the last dump [s], or below 0.
   double last() const { return series_.empty() ? -1 : series_.back().time_s; }
 
+  /// For checkpoints: what has been written. After unpack() files of later times are removed.
+  void pack(parallel::Bytes& bytes) const;
+  void unpack(parallel::Unpacker& from, bool removes);
+
  private:
   std::filesystem::path folder_;
   std::string name_;

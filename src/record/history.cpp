@@ -64,13 +64,13 @@ void accumulate(Account<Dim>& sum, const Account<Dim>& a) {
 
 template <int Dim>
 History<Dim>::History(const std::filesystem::path& path, const std::vector<std::string>& names,
-                      const std::vector<bool>& rigid, const RunUnits& units)
+                      const std::vector<bool>& rigid, const RunUnits& units, CsvMode mode)
     : rigid_(rigid), whole_(units.whole) {
   std::vector<std::string> shown;
   for (std::size_t m = 0; m < names.size(); ++m)
     if (!rigid[m]) shown.push_back(names[m]);
   shown.push_back("total");
-  file_.emplace(path, columns_for(shown, units));
+  file_.emplace(path, columns_for(shown, units), std::vector<std::string>{}, mode);
 }
 
 template <int Dim>

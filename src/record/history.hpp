@@ -20,8 +20,9 @@ template <int Dim>
 class History {
  public:
   /// @throws EnvironmentError.
+  /// @param mode append: goes on with the file that is there.
   History(const std::filesystem::path& path, const std::vector<std::string>& names,
-          const std::vector<bool>& rigid, const RunUnits& units);
+          const std::vector<bool>& rigid, const RunUnits& units, CsvMode mode = CsvMode::create);
   /// @param drifts of this time, `total` first, as BudgetWatch::now().
   void row(const Totals<Dim>& totals, const std::vector<Drift>& drifts);
   void flush() { file_->flush(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "parallel/archive.hpp"
 #include "record/events.hpp"
 
 namespace recoil {
@@ -78,6 +79,23 @@ std::vector<typename LiftOffWatch<Dim>::Place> LiftOffWatch<Dim>::collect(const 
   std::vector<Place> places;
   for (const auto& [order, place] : found) places.push_back(place);
   return places;
+}
+
+template <int Dim>
+void LiftOffWatch<Dim>::pack(int slot, parallel::Bytes& bytes) const {
+  std::vector<std::pair<int, Touched>> here;
+  for (const auto& [key, touched] : touched_)
+    if (key.first == slot) here.emplace_back(key.second, touched);
+  parallel::ArchiveWriter archive(bytes);
+  archive(here);
+}
+
+template <int Dim>
+void LiftOffWatch<Dim>::unpack(int slot, parallel::Unpacker& from) {
+  std::vector<std::pair<int, Touched>> here;
+  parallel::ArchiveReader archive(from);
+  archive(here);
+  for (auto& [pair, touched] : here) touched_[{slot, pair}] = std::move(touched);
 }
 
 template class LiftOffWatch<1>;

@@ -28,11 +28,20 @@ class LiftOffWatch {
   /// the order of the blocks.
   std::vector<Place> collect(const State<Dim>& state, const parallel::World& world);
 
+  /// For checkpoints: what is known of one block, and the same back.
+  void pack(int slot, parallel::Bytes& bytes) const;
+  void unpack(int slot, parallel::Unpacker& from);
+
  private:
   struct Touched {
     int lower = 0, higher = 0;  // bodies
     std::vector<long> step;     // of the last touch, by cell; -1: never
     std::vector<double> time;   // s
+
+    template <class Archive>
+    void transfer(Archive& a) {
+      a(lower, higher, step, time);
+    }
   };
   void scan(const State<Dim>& state, int slot, int pair, Touched& touched, parallel::Bytes& out) const;
 

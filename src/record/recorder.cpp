@@ -15,6 +15,7 @@
 #include "gauge/due.hpp"
 #include "gauge/gauges.hpp"
 #include "gauge/pair_sampler.hpp"
+#include "parallel/archive.hpp"
 #include "record/field_dump.hpp"
 #include "record/findings.hpp"
 #include "record/history.hpp"
@@ -124,10 +125,13 @@ struct Recorder<Dim>::Parts {
         fields(make_folder("fields"), case_name(c), c.output.fields.variables),
         history_due(c.output.history.every),
         fields_due(c.output.fields.every),
-        pairs(pair_count()) {
+        pairs(pair_count()) {}
+
+  void open_tables(CsvMode mode) {
     if (!first()) return;
-    history.emplace(directory / "history.csv", names, rigid, units);
-    write_events(directory / "events.csv", {});
+    history.emplace(directory / "history.csv", names, rigid, units, mode);
+    write_events(directory / "events.csv", events.events());
+    events_written = events.events().size();
   }
 
   bool first() const { return world.rank() == 0; }
@@ -230,6 +234,7 @@ template <int Dim>
 void Recorder<Dim>::begin(const State<Dim>& state) {
   Parts& p = *parts_;
   p.started = wall_clock();
+  p.open_tables(CsvMode::create);
   p.collect(state, true, true);
   const Totals<Dim> totals = find_totals(state, p.world, p.team);
   if (p.first()) {
@@ -315,6 +320,52 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
     p.save_status(state, "finished");
   }
   return s;
+}
+
+template <int Dim>
+void Recorder<Dim>::pack_whole(parallel::Bytes& bytes) {
+  Parts& p = *parts_;
+  if (!p.first()) return;
+  p.flush();
+  p.gauges.pack(bytes);
+  p.events.pack(bytes);
+  p.fields.pack(bytes);
+  parallel::ArchiveWriter archive(bytes);
+  archive(p.budget, p.history_due, p.fields_due, p.history_last, p.dt);
+}
+
+template <int Dim>
+void Recorder<Dim>::pack_block(int slot, parallel::Bytes& bytes) const {
+  parts_->lift_off.pack(slot, bytes);
+}
+
+template <int Dim>
+void Recorder<Dim>::unpack_block(int slot, parallel::Unpacker& from) {
+  parts_->lift_off.unpack(slot, from);
+}
+
+template <int Dim>
+void Recorder<Dim>::resume(const State<Dim>& state, parallel::Unpacker& from) {
+  Parts& p = *parts_;
+  p.started = wall_clock();
+  p.gauges.unpack(from);
+  p.events.unpack(from);
+  p.fields.unpack(from, p.first());
+  parallel::ArchiveReader archive(from);
+  Due history_before, fields_before;
+  archive(p.budget, history_before, fields_before, p.history_last, p.dt);
+  p.history_due.go_on(history_before);
+  p.fields_due.go_on(fields_before);
+  if (p.first()) truncate_csv(p.directory / "history.csv", p.history_last * 1e6);
+  p.open_tables(CsvMode::append);
+  if (p.first()) p.save_status(state, "running");
+}
+
+template <int Dim>
+void Recorder<Dim>::stop(const State<Dim>& state) {
+  if (!parts_->first()) return;
+  parts_->flush();
+  parts_->save_status(state, "stopped");
 }
 
 template <int Dim>

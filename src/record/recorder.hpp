@@ -35,6 +35,16 @@ class Recorder {
   void after_step(const State<Dim>& state, double dt);
   /// The end: last records and fields, expectations, summary.json and status.json.
   Summary finish(const State<Dim>& state, const RunFacts& facts);
+  /// For checkpoints: what belongs to no block, on rank 0, with everything written so far handed to the
+  /// system; and what belongs to a block of this rank.
+  void pack_whole(parallel::Bytes& bytes);
+  void pack_block(int slot, parallel::Bytes& bytes) const;
+  /// Instead of begin(): goes on where the checkpoint was made. What was recorded later is taken out of the
+  /// files. Blocks first. Collective.
+  void unpack_block(int slot, parallel::Unpacker& from);
+  void resume(const State<Dim>& state, parallel::Unpacker& from);
+  /// The run stops before its end: says so in status.json. Not collective.
+  void stop(const State<Dim>& state);
   /// After a failure: hands on what is written so far and says "failed" in status.json. Not collective.
   void abandon(const State<Dim>& state);
 

@@ -6,7 +6,10 @@ namespace recoil::config {
 
 Entries<Output> Output::keys() {
   return {{.name = "fields", .member = part_of<&Output::fields>(), .doc = "pictures of the whole domain"},
-          {.name = "history", .member = part_of<&Output::history>(), .doc = "sums over each body"}};
+          {.name = "history", .member = part_of<&Output::history>(), .doc = "sums over each body"},
+          {.name = "checkpoint",
+           .member = part_of<&Output::checkpoint>(),
+           .doc = "files from which a run can go on"}};
 }
 
 }  // namespace recoil::config

@@ -30,9 +30,35 @@ struct HistoryOutput {
   }
 };
 
+struct CheckpointOutput {
+  double every = 0;       // s of simulated time; 0: not by it
+  double every_wall = 0;  // s of wall time; 0: not by it
+  int keep = 2;
+
+  static constexpr const char* doc = "Files from which `recoil resume` goes on exactly, in checkpoints/.";
+  static Entries<CheckpointOutput> keys() {
+    return {
+        every_key(&CheckpointOutput::every,
+                  "simulated time between two checkpoints; 0: only by every-wall and when a run is stopped"),
+        {.name = "every-wall",
+         .member = &CheckpointOutput::every_wall,
+         .unit = "s",
+         .least = 0,
+         .doc = "wall time between two checkpoints; 0: only by every and when a run is stopped",
+         .example = R"("10 min")"},
+        {.name = "keep",
+         .member = &CheckpointOutput::keep,
+         .least = 1,
+         .most = 1000,
+         .doc = "how many of them are kept, the newest ones",
+         .example = "2"}};
+  }
+};
+
 struct Output {
   FieldOutput fields;
   HistoryOutput history;
+  CheckpointOutput checkpoint;
 
   static constexpr const char* doc = "What is written, and how often.";
   static Entries<Output> keys();

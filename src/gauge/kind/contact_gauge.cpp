@@ -78,6 +78,15 @@ class ContactWatch : public GaugeWatch<Dim> {
   }
   void follow(const OrderedSums& sums, double dt) override;
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override;
+  void pack(parallel::Bytes& bytes) const override {
+    parallel::pack(bytes, part_);
+    parallel::pack(bytes, std::array{normal_impulse_, tangential_impulse_});
+  }
+  void unpack(parallel::Unpacker& bytes) override {
+    part_ = bytes.read<PairSample>();
+    const auto impulses = bytes.read<std::array<double, 2>>();
+    normal_impulse_ = impulses[0], tangential_impulse_ = impulses[1];
+  }
 
  private:
   double along(const std::array<double, 3>& v) const {

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace recoil::app {
+
+/// From here on SIGINT, SIGTERM and SIGUSR1 ask the run to stop after the step in hand; a second SIGINT ends
+/// the process at once, as usual.
+void watch_stop_signals();
+
+/// Whether one of them has come. Of this process only.
+bool stop_requested();
+
+}  // namespace recoil::app

@@ -1,0 +1,204 @@
+#!/usr/bin/python3
+"""Runs that are stopped or killed, and go on: `recoil resume` must end with the bits of the run that was not.
+
+Needs RECOIL_PROGRAM, the program, and RECOIL_DATA, the folder that holds cases/ and materials/. RECOIL_KILLS is the
+number of random moments at which runs are killed (5; the nightly tests take 50).
+"""
+
+import importlib.machinery
+import importlib.util
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.environ["RECOIL_PROGRAM"]
+KILLS = int(os.environ.get("RECOIL_KILLS", "5"))
+TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
+
+loader = importlib.machinery.SourceFileLoader("fingerprint", str(TOOLS / "fingerprint"))
+fingerprint = importlib.util.module_from_spec(importlib.util.spec_from_loader("fingerprint", loader))
+loader.exec_module(fingerprint)
+
+# A block falls askew on another one and is thrown back: contact, opening, lift-off, gauges of all kinds.
+CASE = """
+format = 1
+title = "two blocks"
+[domain]
+geometry = "planar"
+x = ["0 mm", "24 mm"]
+y = ["0 mm", "24 mm"]
+[mesh]
+finest = "0.4 mm"
+block = 12
+[time]
+end = "6 us"
+[body.falling]
+material = "copper/ofhc-johnson-cook"
+shape = { kind = "box", x = ["6 mm", "14 mm"], y = ["11 mm", "17 mm"], rotation = "8 deg" }
+velocity = { x = "60 m/s", y = "-350 m/s" }
+[body.lying]
+material = "aluminium/6061-t6"
+shape = { kind = "box", x = ["3 mm", "21 mm"], y = ["3 mm", "9.6 mm"] }
+[body.ram]
+rigid = true
+mass = "0.1 kg/m"
+shape = { kind = "disc", radius = "2 mm", centre = { x = "12 mm", y = "21 mm" } }
+velocity = { y = "-900 m/s" }
+[gauge.rear]
+kind = "surface-velocity"
+body = "lying"
+at = { x = "12 mm", y = "3 mm" }
+[gauge.touch]
+kind = "contact"
+pair = "falling-lying"
+at = { x = "11 mm", y = "9 mm" }
+radius = "4 mm"
+[gauge.whole]
+kind = "body"
+body = "falling"
+every = "0.1 us"
+[gauge.line]
+kind = "peak-stress"
+body = "lying"
+at = { x = "12 mm", y = "9 mm" }
+to = { x = "12 mm", y = "4 mm" }
+stations = 12
+[output.fields]
+every = "2 us"
+[output.checkpoint]
+every = "0.25 us"
+keep = 3
+"""
+
+
+def recoil(*words):
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=500, check=False)
+
+
+def bits(run):
+    """Hashes of all that a run has recorded: gauges, history, events, last fields."""
+    return fingerprint.of_run(run) | {"events": (run / "events.csv").read_bytes()}
+
+
+class Resume(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.scratch.cleanup)
+        cls.folder = pathlib.Path(cls.scratch.name)
+        cls.case = cls.folder / "blocks.toml"
+        cls.case.write_text(CASE)
+        began = time.time()
+        done = recoil("run", cls.case, "-o", cls.folder / "whole", "--plain", "-j", "1")
+        cls.duration = time.time() - began
+        assert done.returncode in (0, 6), done.stdout + done.stderr
+        cls.exit = done.returncode
+        cls.bits = bits(cls.folder / "whole")
+
+    def expect(self, result, code, *texts):
+        said = result.stdout + result.stderr
+        self.assertEqual(result.returncode, code, said)
+        for text in texts:
+            self.assertIn(text, said)
+
+    def same(self, run):
+        now = bits(run)
+        self.assertEqual(sorted(now), sorted(self.bits))
+        for name, value in self.bits.items():
+            self.assertEqual(now[name], value, f"{name} of {run.name}")
+
+    def finish(self, run, *words):
+        result = recoil("resume", run, "--plain", *words)
+        if result.returncode == 2 and "holds no checkpoint" in result.stderr:  # killed before the first one
+            result = recoil("run", self.case, "-o", run, "--plain", "--force", *words)
+        self.expect(result, self.exit)
+
+    def kill_and_go_on(self, name, words, moment):
+        run = self.folder / name
+        process = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", *words],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        time.sleep(moment)
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        for _ in range(100):  # the processes of an mpirun that was killed follow it a little later
+            if not run.exists() or "running" not in recoil("status", run).stdout:
+                break
+            time.sleep(0.2)
+        if not (run / "summary.json").exists():
+            self.finish(run, *words)
+        self.same(run)
+
+    def test_killed_at_random_moments(self):
+        chance = random.Random(20261122)
+        for k in range(KILLS):
+            self.kill_and_go_on(f"killed_{k}", ["-j", "1"], chance.uniform(0.05, 1) * self.duration)
+
+    def test_killed_with_two_processes(self):
+        chance = random.Random(7)
+        for k in range(max(1, KILLS // 3)):
+            self.kill_and_go_on(f"ranks_{k}", ["-n", "2", "-j", "1"], chance.uniform(0.4, 1.2) * self.duration)
+
+    def test_other_ranks_and_threads_go_on_to_the_same_bits(self):
+        run = self.folder / "other"
+        self.expect(recoil("run", self.case, "-o", run, "--plain", "-n", "2", "--wall", "0.7s"), 75, "recoil resume")
+        self.expect(recoil("status", run), 0, "stopped")
+        self.finish(run, "-j", "2")
+        self.same(run)
+
+    def test_asked_to_stop(self):
+        for request in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1):
+            run = self.folder / request.name
+            process = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
+                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            time.sleep(0.5 * self.duration)
+            process.send_signal(request)
+            said = process.communicate()[0]
+            self.assertEqual(process.returncode, 75, said)
+            self.assertIn("stopped at", said)
+            self.expect(recoil("run", self.case, "-o", run), 2, "interrupted run", "recoil resume")
+            self.finish(run)
+            self.same(run)
+
+    def test_a_longer_run_and_what_may_not_change(self):
+        run = self.folder / "longer"
+        self.expect(recoil("run", self.case, "-o", run, "--plain", "--end", "1us", "-j", "1"), self.exit)
+        text = (run / "case.toml").read_text()
+        (run / "case.toml").write_text(text.replace('finest = "0.4 mm"', 'finest = "0.8 mm"'))
+        self.expect(recoil("resume", run, "--to", "2us"), 2, "mesh.finest")
+        (run / "case.toml").write_text(text)
+        self.expect(recoil("resume", run, "--to", "2us", "--set", "body.falling.velocity.y=-300m/s"), 2,
+                    "body.falling.velocity")
+        self.expect(recoil("resume", run, "--to", "2us", "--set", "output.fields.every=1us"), self.exit, "goes on from")
+
+    def test_damaged_checkpoints(self):
+        run = self.folder / "damaged"
+        self.expect(recoil("run", self.case, "-o", run, "--plain", "--end", "1.5us", "-j", "1"), self.exit)
+        files = sorted((run / "checkpoints").glob("*.h5"))
+        self.assertEqual(len(files), 3)
+        newest = files[-1].read_bytes()
+        for damage, text in ((newest[: len(newest) // 2], "cut off"), (b"", "cannot be used"),
+                             (newest[:-4000] + b"x" * 500 + newest[-3500:], "cannot be used")):
+            files[-1].write_bytes(damage)
+            self.expect(recoil("resume", run, "--to", "2us"), 2, text, "--from")
+        self.expect(recoil("resume", run, "--to", "2us", "--from", files[-2].name), self.exit)
+        self.expect(recoil("resume", self.folder / "nowhere"), 2, "no checkpoint")
+
+    def test_a_folder_belongs_to_one_run(self):
+        run = self.folder / "locked"
+        first = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(0.4 * self.duration)
+        self.expect(recoil("run", self.case, "-o", run, "--force"), 2, "another run", "recoil status")
+        self.expect(recoil("status", run), 0, "running")
+        first.kill()
+        first.wait()
+        self.expect(recoil("status", run), 0, "interrupted", "recoil resume")
+
+
+if __name__ == "__main__":
+    unittest.main()
