@@ -128,6 +128,8 @@ TEST(Checkpoint, DamageIsNoticed) {
   const auto refused = [&](const std::string& damaged) {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << damaged;
     Recorded other(folder / "other");
+    std::filesystem::copy_file(run.folder / "history.csv", other.folder / "history.csv",
+                               std::filesystem::copy_options::overwrite_existing);
     try {
       read_checkpoint(BlockFile(file), other.state, other.recorder, other.world);
     } catch (const InputError&) {

@@ -1,0 +1,89 @@
+#include "timestep/step_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <type_traits>
+
+#include "../core/dimensions.hpp"
+#include "../cutcell/bodies.hpp"
+#include "../parallel/session.hpp"
+#include "core/error.hpp"
+
+namespace recoil {
+namespace {
+
+template <class D>
+struct StepRuns : testing::Test {
+  static constexpr int dim = D::value;
+  Grid<dim> grid = make_test_grid<dim>(16, 8, Edge::outflow);
+  State<dim> state = make_test_state<dim>(grid, {ball<dim>(middle_of(grid), 4 * grid.dx)});
+  parallel::World world;
+  parallel::Team team{1};
+  Engine engine{world, team, {}};
+};
+TYPED_TEST_SUITE(StepRuns, Dimensions);
+
+TYPED_TEST(StepRuns, WhatAPhaseWritesIsStaleUntilAPhaseReadsItAround) {
+  constexpr int dim = TestFixture::dim;
+  StepRun<dim> step(this->state, this->engine);
+  constexpr FieldAccess writes{"writes", {}, {}, Field::phi | Field::volume},
+      reads{"reads", Field::phi, {}, {}};
+  step.for_each_body(StepPhase::moves, writes, [](Body<dim>&, int, Scratch&) {});
+  EXPECT_EQ(this->state.stale, Field::phi | Field::volume);
+  step.for_each_body(StepPhase::moves, reads, [](Body<dim>&, int, Scratch&) {});
+  EXPECT_EQ(this->state.stale, FieldSet(Field::volume));
+}
+
+TYPED_TEST(StepRuns, DebugBuildsStopAPhaseThatTouchesWhatItHasNotDeclared) {
+#ifdef NDEBUG
+  GTEST_SKIP() << "not a debug build";
+#else
+  constexpr int dim = TestFixture::dim;
+  StepRun<dim> step(this->state, this->engine);
+  constexpr FieldAccess access{"a phase", {}, Field::volume, Field::role};
+  const auto touch = [&](auto&& f) {
+    step.for_each_body(StepPhase::moves, access,
+                       [&](Body<dim>& body, int slot, Scratch&) { f(body.at(slot)); });
+  };
+  EXPECT_NO_THROW(touch([](BodyBlock<dim>& b) { b.role[0] = b.volume[0] > 0 ? 1 : 0; }));
+  EXPECT_THROW(touch([](BodyBlock<dim>& b) { b.role[0] = b.phi[0] > 0 ? 1 : 0; }), InternalError);
+  EXPECT_DEATH(touch([](BodyBlock<dim>& b) { b.volume[0] += 1; }), "changed the field 'volume'");
+#endif
+}
+
+/// The declarations are complete: every field once, with a name of its own, and a memory.
+TEST(Fields, AreDeclaredOnce) {
+  FieldSet seen;
+  int count = 0;
+  for_each_field<2>([&](const auto& d) {
+    EXPECT_FALSE(seen.has(d.id)) << d.name;
+    seen = seen | d.id;
+    ++count;
+    if (d.lifetime == Lifetime::run) {
+      EXPECT_NE(d.coarser, Restriction::finest_only) << d.name;
+      EXPECT_NE(d.finer, Prolongation::finest_only) << d.name;
+    }
+  });
+  EXPECT_EQ(count, static_cast<int>(Field::count));
+  EXPECT_EQ(seen, FieldSet::all());
+  EXPECT_EQ(run_fields<3>(),
+            Field::contents | Field::volume | Field::phi | Field::extension_velocity | Field::contact);
+}
+
+/// What is allocated is what the estimate counts.
+TEST(Fields, TakeTheMemoryThatIsEstimated) {
+  const Grid<2> grid = make_test_grid<2>(16, 8, Edge::outflow);
+  const State<2> state = make_test_state<2>(grid, {half_space<2>(middle_of(grid), Vec<2>{{1, 0}})});
+  const BodyBlock<2>& b = state.bodies[0].at(0);
+  double bytes = 0;
+  for_each_field<2>([&](const auto& d) {
+    for_each_array(b.*d.member, [&](const auto& array) {
+      using T = typename std::remove_cvref_t<decltype(array)>::value_type;
+      if (d.allocated()) bytes += static_cast<double>(array.size() * sizeof(T));
+    });
+  });
+  EXPECT_EQ(bytes, bytes_per_cell<2>() * grid.layout().size());
+}
+
+}  // namespace
+}  // namespace recoil
