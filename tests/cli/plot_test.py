@@ -1,0 +1,104 @@
+#!/usr/bin/python3
+"""Pictures of runs, as `recoil plot` draws them. Environment: see program.py."""
+
+import unittest
+
+from program import COARSE, DATA, FLYER, Program, recoil
+
+
+class Plot(Program):
+    def test_plots(self):
+        self.expect(self.run_coarse(), 0)
+        out, png = self.folder / "out", self.folder / "picture.png"
+        reference = f"{FLYER.parent}/reference.csv:velocity"
+        for words in (["gauge.rear", "--reference", reference], ["gauge.impact", "traction"], ["rear", png],
+                      ["pressure"], ["velocity.x", "--at", "2 us"], ["stress.xx"]):
+            target = [] if png in words else ["-o", png]
+            self.expect(recoil("plot", out, *words, *target), 0, "picture.png")
+            self.assertEqual(png.read_bytes()[:4], b"\x89PNG")
+            png.unlink()
+        self.expect(recoil("plot", out, "gauge.raer"), 2, "did you mean 'rear'?")
+        self.expect(recoil("plot", out, "presure"), 2, "pressure")
+        self.expect(recoil("plot", out, "gauge.rear", "speed"), 2, "velocity")
+        self.expect(recoil("plot", self.folder / "nowhere", "pressure"), 2, "no folder")
+        self.expect(recoil("plot", out, "pressure", "--at", "60 us"), 2, "beyond the end of the run", "last fields")
+
+    def test_plots_in_three_formats(self):
+        self.expect(self.run_coarse(), 0)
+        out = self.folder / "out"
+        for suffix, begin in (("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")):
+            for words in (["gauge.rear"], ["pressure", "--xt"], ["history.flyer.kinetic"]):
+                file, again = self.folder / f"a.{suffix}", self.folder / f"b.{suffix}"
+                self.expect(recoil("plot", out, *words, "-o", file), 0, file.name)
+                self.expect(recoil("plot", out, *words, again), 0, again.name)
+                self.assertTrue(file.read_bytes().startswith(begin), words)
+                self.assertEqual(file.read_bytes(), again.read_bytes())
+        self.assertNotIn(b"CreationDate", again.read_bytes())
+        for file in ("a.jpg", "a"):
+            self.expect(recoil("plot", out, "gauge.rear", "-o", file), 2, ".png, .svg or .pdf")
+        self.expect(recoil("plot", out, "pressure", "a.jpg"), 2, ".png, .svg or .pdf")
+        self.expect(recoil("plot", out, "gauge.rear", "velocity", "a.jpg"), 2, ".png, .svg or .pdf")
+        self.expect(recoil("check", self.case(), "--png", self.folder / "case.svg"), 0)
+        self.assertIn(">", (self.folder / "case.svg").read_text())
+        self.expect(recoil("check", self.case(), "--png", self.folder / "case.jpg"), 2, ".png, .svg or .pdf")
+
+    def test_plots_as_they_are_asked_for(self):
+        self.expect(self.run_coarse(), 0)
+        out = self.folder / "out"
+
+        def svg(*words):
+            file = self.folder / "picture.svg"
+            self.expect(recoil("plot", out, *words, "-o", file), 0, "picture.svg")
+            return file.read_text()
+
+        usual = svg("gauge.rear")
+        self.assertIn('width="1200px" height="800px"', usual)
+        self.assertIn('width="900px" height="500px"', svg("gauge.rear", "--width", "900", "--height", "500"))
+        for words in (["--title", "Rear"], ["--max", "100"], ["--min", "-0.1km/s"], ["--log", "--min", "1 m/s"]):
+            self.assertNotEqual(svg("gauge.rear", *words), usual, words)
+        self.assertEqual(svg("gauge.rear", "--max", "100"), svg("gauge.rear", "--max", "0.1 km/s"))
+        self.assertNotEqual(svg("pressure", "--xt"), svg("pressure", "--xt", "--max", "1", "--min", "-1"))
+        self.expect(recoil("plot", out, "gauge.rear", "--min", "5", "--max", "2"), 2, "is not below --max 2")
+        self.expect(recoil("plot", out, "gauge.rear", "--min", "5 GPa"), 2, "dimension [pressure]")
+        self.expect(recoil("plot", out, "gauge.rear", "--log", "--min", "0"), 2, "positive ends")
+        self.expect(recoil("plot", out, "gauge.rear", "--max", "-5"), 2, "below --max -5")
+        self.expect(recoil("plot", out, "gauge.rear", "--width", "5"), 2, "--width")
+        self.expect(recoil("plot", out, "history.flyer.kinetik"), 2, "flyer.kinetic")
+        self.expect(recoil("plot", out, "pressure", "--along", "0mm,0mm:1mm,0mm"), 2, "need a field in the plane")
+
+    def picture(self, *words):
+        """Draws; the size of the picture in bytes."""
+        png = self.folder / "picture.png"
+        self.expect(recoil("plot", *words, "-o", png), 0, "picture.png")
+        return len(png.read_bytes())
+
+    def test_plots_of_several_runs_and_over_time(self):
+        self.expect(self.run_coarse(), 0)
+        out, other = self.folder / "out", self.folder / "other"
+        self.expect(recoil("run", self.case(), *COARSE, "--set", "mesh.offset=0.4", "-o", other), 0)
+        self.assertNotEqual(self.picture(out, "gauge.rear"), self.picture(out, "gauge.rear", "--with", other))
+        self.assertGreater(self.picture(out, "pressure", "--xt"), 5000)
+        self.expect(recoil("plot", out, "pressure", "--window", "x=0mm..1mm"), 2, "need a field in the plane")
+
+    def test_plots_of_parts_with_outlines(self):
+        out, outline = self.folder / "out", self.folder / "outline.csv"
+        self.expect(recoil("run", DATA / "cases" / "slip_aligned", "--end", "0.05 us", "-o", out),
+                    5)
+        outline.write_text("time [us],x [mm],y [mm]\n0,0,0\n0.05,-1,0.1\n0.05,1,0.5\n")
+        whole, window = self.picture(out, "velocity.x"), ["--window", "x=-2.5mm..1mm,y=0mm..0.4mm"]
+        part = self.picture(out, "velocity.x", *window)
+        self.assertNotEqual(whole, part)
+        self.assertNotEqual(part, self.picture(out, "velocity.x", *window, "--outline", outline))
+        self.expect(recoil("plot", out, "velocity.x", "--window", "r=0mm..1mm"), 2, "--window x=0mm..9mm,y=0mm..12mm")
+        self.expect(recoil("plot", out, "velocity.x", "--window", "x=50mm..60mm"), 2, "beside the field")
+        self.expect(recoil("plot", out, "pressure", "--xt"), 2, "--xt needs a 1d run")
+        self.assertNotEqual(whole, self.picture(out, "body"))
+        self.expect(recoil("plot", out, "body", "--log"), 2, "a field of names")
+        self.assertNotEqual(whole, self.picture(out, "velocity.x", "--along", "-1mm,-0.5mm:1mm,0.5mm"))
+        for line, text in (("0mm,0mm", "is no line"), ("0mm,0mm:0mm,0mm", "is a point"), ("0mm,0s:1mm,0mm", "time"),
+                           ("50mm,50mm:60mm,50mm", "no matter along")):
+            self.expect(recoil("plot", out, "velocity.x", "--along", line), 2, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
