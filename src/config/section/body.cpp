@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "config/declare/kinds.hpp"
 
@@ -115,46 +117,51 @@ void check_spin(const Body& body, const TableReading& reading) {
 bool turns(const Body& b) { return b.spin != Vector{}; }
 bool is_free(const Body& b) { return b.mass > 0; }
 
-}  // namespace
+/// The geometries in which bodies turn.
+std::vector<Geometry> turning() { return {Geometry::planar, Geometry::space}; }
 
-Entries<Body> Body::keys() {
-  const std::vector<Geometry> turning{Geometry::planar, Geometry::space};
+/// What the body is made of: a material, or a mass.
+Entries<Body> keys_of_matter() {
+  return {{.name = "material",
+           .member = &Body::material,
+           .doc = "a material of the library, or a [material.NAME] of this case",
+           .example = R"("copper/ofhc-johnson-cook")",
+           .when = [](const Body& b) { return !b.rigid; }},
+          {.name = "rigid",
+           .member = &Body::rigid,
+           .doc = "a rigid body: it has no material, and keeps its velocity unless it has a mass",
+           .example = "true",
+           .when = [](const Body& b) { return b.rigid; }},
+          {.name = "mass",
+           .member = &Body::mass,
+           .unit = "kg",
+           .positive = true,
+           .optional = true,
+           .doc = "of a rigid body that its contacts push (planar: per depth, kg/m; 1d: per area, kg/m2)",
+           .example = R"("0.2 kg")",
+           .unit_in = {"kg/m2", "kg/m", "kg", "kg"}},
+          {.name = "inertia",
+           .member = &Body::inertia,
+           .unit = "kg m2",
+           .optional = true,
+           .rule = Rule::turn,
+           .doc = "moment of inertia of a free rigid body about its centre of mass: planar a quantity per "
+                  "depth (kg m); 3d { x = ..., y = ..., z = ... }, principal moments; without it the body "
+                  "does not turn",
+           .example = R"({ x = "2 kg m2", y = "2 kg m2", z = "1 kg m2" })",
+           .only_in = turning(),
+           .unit_in = {nullptr, "kg m", nullptr, nullptr}},
+          {.name = "centre-of-mass",
+           .member = &Body::centre_of_mass,
+           .unit = "m",
+           .doc = "of a free rigid body that can turn",
+           .example = R"({ x = "1 mm" })",
+           .when = is_free}};
+}
+
+/// Where it is at the start, and how it moves.
+Entries<Body> keys_of_start() {
   return {
-      {.name = "material",
-       .member = &Body::material,
-       .doc = "a material of the library, or a [material.NAME] of this case",
-       .example = R"("copper/ofhc-johnson-cook")",
-       .when = [](const Body& b) { return !b.rigid; }},
-      {.name = "rigid",
-       .member = &Body::rigid,
-       .doc = "a rigid body: it has no material, and keeps its velocity unless it has a mass",
-       .example = "true",
-       .when = [](const Body& b) { return b.rigid; }},
-      {.name = "mass",
-       .member = &Body::mass,
-       .unit = "kg",
-       .positive = true,
-       .optional = true,
-       .doc = "of a rigid body that its contacts push (planar: per depth, kg/m; 1d: per area, kg/m2)",
-       .example = R"("0.2 kg")",
-       .unit_in = {"kg/m2", "kg/m", "kg", "kg"}},
-      {.name = "inertia",
-       .member = &Body::inertia,
-       .unit = "kg m2",
-       .optional = true,
-       .rule = Rule::turn,
-       .doc = "moment of inertia of a free rigid body about its centre of mass: planar a quantity per "
-              "depth (kg m); 3d { x = ..., y = ..., z = ... }, principal moments; without it the body "
-              "does not turn",
-       .example = R"({ x = "2 kg m2", y = "2 kg m2", z = "1 kg m2" })",
-       .only_in = turning,
-       .unit_in = {nullptr, "kg m", nullptr, nullptr}},
-      {.name = "centre-of-mass",
-       .member = &Body::centre_of_mass,
-       .unit = "m",
-       .doc = "of a free rigid body that can turn",
-       .example = R"({ x = "1 mm" })",
-       .when = is_free},
       {.name = "shape",
        .member = custom_shape(),
        .required = true,
@@ -172,13 +179,21 @@ Entries<Body> Body::keys() {
        .rule = Rule::turn,
        .doc = "turning at the start: planar a quantity, counter-clockwise; 3d { x = ..., y = ..., z = ... }",
        .example = R"("1000 rad/s")",
-       .only_in = turning},
+       .only_in = turning()},
       {.name = "spin-centre",
        .member = &Body::spin_centre,
        .unit = "m",
        .doc = "the point about which it turns",
        .example = R"({ x = "1 mm" })",
        .when = [](const Body& b) { return turns(b) && !is_free(b); }}};
+}
+
+}  // namespace
+
+Entries<Body> Body::keys() {
+  Entries<Body> keys = keys_of_matter();
+  for (auto& key : keys_of_start()) keys.push_back(std::move(key));
+  return keys;
 }
 
 void Body::check(const TableReading& reading) {
