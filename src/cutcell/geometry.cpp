@@ -6,7 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
+#include <span>
+#include <utility>
 
 #include "cutcell/clip.hpp"
 
@@ -37,8 +38,8 @@ Box<Dim> node_box(const Box<Dim>& cells) {
 
 /// Offsets into the window of the 2^Dim cells around a node.
 template <int Dim>
-std::array<int, static_cast<std::size_t>(1 << Dim)> around_node(const Window<Dim>& w) {
-  std::array<int, static_cast<std::size_t>(1 << Dim)> offset{};
+std::array<int, 1 << Dim> around_node(const Window<Dim>& w) {
+  std::array<int, 1 << Dim> offset{};
   for (int c = 0; c < 1 << Dim; ++c)
     for (int d = 0; d < Dim; ++d) offset[c] -= (c >> d & 1) * w.stride(d);
   return offset;
@@ -65,38 +66,51 @@ double rigid_node(const Grid<Dim>& grid, const RigidMotion<Dim>& motion, const R
   return nearest;
 }
 
+/// Whether a node lies on an open edge. Such nodes see bodies continued as the first cells are: all alike.
 template <int Dim>
-Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt when, double ahead,
-                  Scratch& scratch) {
-  const Body<Dim>& b = state.bodies[body];
-  const auto pose = b.rigid ? std::optional(pose_after(*b.rigid, ahead)) : std::nullopt;
-  const auto cells = static_cast<std::size_t>(w.size());
-  const Box<Dim> nodes = node_box(w.inner());
-  Nodes n{body, b.rigid.has_value(), scratch.take<double>(static_cast<std::size_t>(nodes.size())), nullptr};
-  double* phi = scratch.take<double>(cells);
-  const double far = far_cells * state.grid().dx;
+bool at_outflow(const Grid<Dim>& grid, const Index<Dim>& i) {
+  for (int d = 0; d < Dim; ++d) {
+    const auto& edge = grid.edge[d];
+    if ((i[d] == 0 && edge[0] == Edge::outflow) || (i[d] == grid.cells[d] && edge[1] == Edge::outflow))
+      return true;
+  }
+  return false;
+}
+
+/// phi and the bits of contact of one body in the cells of a window; no contact of rigid bodies.
+struct CellValues {
+  double* phi = nullptr;
+  std::uint32_t* contact = nullptr;
+};
+
+template <int Dim>
+CellValues cell_values(const State<Dim>& state, const Window<Dim>& w, const Body<Dim>& b, PhiAt when,
+                       Scratch& scratch) {
+  CellValues cells;
+  cells.phi = scratch.take<double>(w.size());
   w.gather(
       [&](int s) {
         const auto& blk = b.at(s);
         return !blk.present ? nullptr : when == PhiAt::midstep ? blk.phi_midstep.data() : blk.phi.data();
       },
-      far, Beyond::extend, phi);
-  std::uint32_t* contact = nullptr;
-  if (!n.rigid) {
-    contact = scratch.take<std::uint32_t>(cells);
-    w.gather([&](int s) { return b.present(s) ? b.at(s).contact.data() : nullptr; }, std::uint32_t{0},
-             Beyond::extend, contact);
-    n.contact = scratch.take<std::uint32_t>(static_cast<std::size_t>(nodes.size()));
-  }
-  // Nodes on open edges see bodies continued as the first cells are: all alike.
-  const auto at_outflow = [&grid = state.grid()](const Index<Dim>& i) {
-    for (int d = 0; d < Dim; ++d) {
-      const auto& edge = grid.edge[d];
-      if ((i[d] == 0 && edge[0] == Edge::outflow) || (i[d] == grid.cells[d] && edge[1] == Edge::outflow))
-        return true;
-    }
-    return false;
-  };
+      far_cells * state.grid().dx, Beyond::extend, cells.phi);
+  if (b.rigid) return cells;
+  cells.contact = scratch.take<std::uint32_t>(w.size());
+  w.gather([&](int s) { return b.present(s) ? b.at(s).contact.data() : nullptr; }, std::uint32_t{0},
+           Beyond::extend, cells.contact);
+  return cells;
+}
+
+/// @param ahead seconds from now to `when`.
+template <int Dim>
+Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt when, double ahead,
+                  Scratch& scratch) {
+  const Body<Dim>& b = state.bodies[body];
+  const auto pose = b.rigid ? std::optional(pose_after(*b.rigid, ahead)) : std::nullopt;
+  const Box<Dim> nodes = node_box(w.inner());
+  Nodes n{body, b.rigid.has_value(), scratch.take<double>(nodes.size()), nullptr};
+  const CellValues cells = cell_values(state, w, b, when, scratch);
+  if (cells.contact) n.contact = scratch.take<std::uint32_t>(nodes.size());
   const double share = 1.0 / (1 << Dim), push = off_node * state.grid().dx,
                band = exact_band * state.grid().dx;
   const auto around = around_node(w);
@@ -104,7 +118,7 @@ Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt
   rows.hi[0] = rows.lo[0] + 1;
   const int width = nodes.extent(0);
   for_each(rows, [&](Index<Dim> i) {
-    const double* p = phi + w.at(i);
+    const double* p = cells.phi + w.at(i);
     double* value = n.phi + nodes.at(i);
 #pragma omp simd
     for (int c = 0; c < width; ++c) {
@@ -112,8 +126,8 @@ Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt
       for (const int o : around) sum += p[c + o];
       value[c] = share * sum;
     }
-    if (contact) {
-      const std::uint32_t* from = contact + w.at(i);
+    if (cells.contact) {
+      const std::uint32_t* from = cells.contact + w.at(i);
       std::uint32_t* bits = n.contact + nodes.at(i);
       for (int c = 0; c < width; ++c) {
         bits[c] = 0;
@@ -121,7 +135,7 @@ Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt
       }
     }
     for (int c = 0; pose && c < width; ++c, ++i[0])
-      if (std::abs(value[c]) < band && !at_outflow(i))
+      if (std::abs(value[c]) < band && !at_outflow(state.grid(), i))
         value[c] = rigid_node(state.grid(), *b.rigid, *pose, i);
     for (int c = 0; c < width; ++c)
       value[c] = std::abs(value[c]) < push ? (value[c] < 0 ? -push : push) : value[c];
@@ -130,7 +144,7 @@ Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt
 }
 
 /// One surface for the two nearest bodies of a node, where they touch.
-void share_node(std::vector<Nodes>& nodes, int k, double dx) {
+void share_node(std::span<Nodes> nodes, int k, double dx) {
   Nodes *a = nullptr, *b = nullptr;  // the smallest and the second smallest phi
   for (Nodes& n : nodes) {
     if (!a || n.phi[k] < a->phi[k]) {
@@ -178,10 +192,9 @@ CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, cons
   const Clip<Dim> fragment = clip<Dim>(corner);
   c.volume = fragment.fraction * volume * radius(fragment.centroid);
   for (int d = 0; d < Dim; ++d) {
-    const auto e = static_cast<std::size_t>(d);
     c.centroid[d] = fragment.centroid[d] - 0.5;
     c.point[d] = grid.origin[d] + (i[d] + fragment.middle[d]) * grid.dx;
-    c.surface[d] = -(c.open[e][1] - c.open[e][0]);
+    c.surface[d] = -(c.open[d][1] - c.open[d][0]);
   }
   if (grid.axisymmetric) {
     c.plane_area = fragment.fraction * volume;
@@ -193,7 +206,7 @@ CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, cons
 template <int Dim>
 void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, Geometry<Dim>& g) {
   const Box<Dim> cells = w.inner(), nodes = node_box(cells);
-  std::array<int, static_cast<std::size_t>(1 << Dim)> offset{};
+  std::array<int, 1 << Dim> offset{};
   for (int c = 0; c < 1 << Dim; ++c)
     for (int d = 0; d < Dim; ++d) offset[c] += (c >> d & 1) * nodes.stride(d);
   g.cuts.clear();
@@ -227,7 +240,7 @@ template <int Dim>
 Box<Dim> matter_box(const Window<Dim>& w, const BodyBlock<Dim>& b) {
   Box<Dim> box{};
   for_each(w.inner(), [&](const Index<Dim>& i) {
-    const auto k = static_cast<std::size_t>(w.cell(i));
+    const int k = w.cell(i);
     if (b.geometry.kind[k] != CellKind::empty || b.volume[k] != 0) extend(box, i);
   });
   return box;
@@ -249,11 +262,13 @@ void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, S
   }
   if (reach.size() == 0) return;
   const Window<Dim> w(state.mesh, slot, 1, reach);
-  std::vector<Nodes> nodes;
+  auto* first = scratch.take<Nodes>(state.count());
+  std::size_t count = 0;
   for (int m = 0; m < state.count(); ++m) {
     const BodyBlock<Dim>& b = state.bodies[m].at(slot);
-    if (b.present && b.near_surface) nodes.push_back(node_values(state, w, m, when, ahead, scratch));
+    if (b.present && b.near_surface) first[count++] = node_values(state, w, m, when, ahead, scratch);
   }
+  const std::span<Nodes> nodes(first, count);
   const int n = node_box(w.inner()).size();
   if (surfaces == Surfaces::shared && nodes.size() > 1)
     for (int k = 0; k < n; ++k) share_node(nodes, k, state.grid().dx);
@@ -267,9 +282,8 @@ void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, S
 template <int Dim>
 double open_area(const Grid<Dim>& grid, const Geometry<Dim>& g, int cell, const Index<Dim>& i, int d,
                  int side) {
-  const auto k = static_cast<std::size_t>(cell);
-  if (g.kind[k] == CellKind::empty) return 0;
-  if (g.kind[k] == CellKind::cut) return g.cuts[g.index[k]].open[d][side];
+  if (g.kind[cell] == CellKind::empty) return 0;
+  if (g.kind[cell] == CellKind::cut) return g.cuts[g.index[cell]].open[d][side];
   Index<Dim> face = i;
   face[d] += side;
   return grid.full_area(face, d);
