@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "cutcell/geometry.hpp"
+#include "cutcell/moves_view.hpp"
 
 namespace recoil {
 
@@ -14,7 +14,6 @@ namespace {
 
 // Parts of a cell (volumes), of a face (areas).
 constexpr double least_state_fill = 0.02;  // below it a fragment's state carries no volume
-constexpr double thin_sum = 1.75;          // a body with less than so many cells of matter in five is thin
 constexpr double open_bound = 0.1;         // how far V may be below 0 or above the cell where it is not thin
 constexpr double rounding = 1e-13;         // a smaller excess over a whole cell is none
 constexpr double ample_fill = 0.3;      // a neighbour with less does not lend to a cell that lacks volume ...
@@ -25,101 +24,6 @@ constexpr double least_surface = 0.02;  // area that a surface counts with in th
 constexpr double closed_face = 1e-9;    // a common face open by less is closed; closed by less, open
 constexpr double least_mismatch_area = 0.3;  // a smaller surface counts as so large in V - V_phi over A_I
 constexpr double most_mismatch = 0.5;        // [dx] by which phi is asked to follow V at most
-
-/// A window on the end-of-step geometry, volumes and contents of one body.
-template <int Dim>
-class MovesView {
- public:
-  MovesView(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
-      : grid(state.grid()),
-        body_(body),
-        window(state.mesh, slot, halo, body.at(slot).reach),
-        scratch_(scratch) {
-    const auto n = static_cast<std::size_t>(window.size());
-    volume = scratch.take<double>(n);
-    kind = scratch.take<CellKind>(n);
-    window.gather([&](int s) { return body.present(s) ? body.at(s).volume.data() : nullptr; }, 0.0,
-                  Beyond::nothing, volume);
-    window.gather([&](int s) { return body.present(s) ? body.at(s).end_geometry.kind.data() : nullptr; },
-                  CellKind::empty, Beyond::nothing, kind);
-  }
-
-  void gather_phi() {
-    phi = scratch_.take<double>(static_cast<std::size_t>(window.size()));
-    window.gather([&](int s) { return body_.present(s) ? body_.at(s).phi.data() : nullptr; },
-                  far_cells * grid.dx, Beyond::extend, phi);
-  }
-
-  bool exists(const Index<Dim>& i) const { return window.source_inside(i).slot >= 0; }
-  double full(const Index<Dim>& i) const { return grid.full_volume(i); }
-
-  Contents<Dim> contents(const Index<Dim>& i) const {
-    const auto from = window.source_inside(i);
-    if (from.slot < 0 || !body_.present(from.slot)) return {};
-    const auto& b = body_.at(from.slot);
-    const std::size_t n = b.volume.size();
-    Contents<Dim> q;
-    for (std::size_t c = 0; c < q.size(); ++c) q[c] = b.contents[c * n + static_cast<std::size_t>(from.cell)];
-    return q;
-  }
-
-  /// The cut cell of the end-of-step geometry there, or null.
-  const CutCell<Dim>* cut(const Index<Dim>& i) const {
-    if (kind[window.at(i)] != CellKind::cut) return nullptr;
-    const auto from = window.source_inside(i);
-    const auto& g = body_.at(from.slot).end_geometry;
-    return &g.cuts[g.index[from.cell]];
-  }
-
-  /// The neighbour along sign * grad phi, on its main axis; along the next one where the domain ends. i
-  /// itself: none.
-  Index<Dim> neighbour(const Index<Dim>& i, int sign) const {
-    const Vec<Dim> g = phi_normal(window.box(), phi, i, grid.dx);
-    std::array<bool, Dim> tried{};
-    for (int n = 0; n < Dim; ++n) {
-      int axis = -1;
-      for (int d = 0; d < Dim; ++d)
-        if (!tried[d] && (axis < 0 || std::abs(g[d]) > std::abs(g[axis]))) axis = d;
-      tried[axis] = true;
-      Index<Dim> j = i;
-      j[axis] += g[axis] * sign > 0 ? 1 : -1;
-      if (exists(j)) return j;
-    }
-    return i;
-  }
-
-  /// Whether the body is thinner than about two cells here: least sum over an axis of V/full over five cells.
-  bool thin(const Index<Dim>& i) const {
-    for (int d = 0; d < Dim; ++d) {
-      double sum = 0;
-      for (int o = -2; o <= 2; ++o) {
-        Index<Dim> j = i;
-        j[d] += o;
-        sum += std::max(volume[window.at(j)], 0.0) / full(j);
-      }
-      if (sum < thin_sum) return true;
-    }
-    return false;
-  }
-
-  const Grid<Dim>& grid;
-
- private:
-  const Body<Dim>& body_;
-
- public:
-  Window<Dim> window;
-  double *volume = nullptr, *phi = nullptr;
-  CellKind* kind = nullptr;
-
- private:
-  Scratch& scratch_;
-};
-
-template <int Dim>
-void add_scaled(Contents<Dim>& to, const Contents<Dim>& q, double factor) {
-  for (std::size_t c = 0; c < to.size(); ++c) to[c] += factor * q[c];
-}
 
 /// Something that leaves a cell for another.
 template <int Dim>
@@ -136,7 +40,7 @@ struct Transfer {
 template <int Dim, class May>
 int* list_senders(const MovesView<Dim>& p, int& count, Scratch& scratch, May&& may) {
   const Box<Dim> box = p.window.inner().grown(1);
-  int* cells = scratch.take<int>(static_cast<std::size_t>(box.size()));
+  int* cells = scratch.take<int>(box.size());
   count = 0;
   for_each(box, [&](const Index<Dim>& i) {
     if (may(i)) cells[count++] = p.window.at(i);
@@ -150,10 +54,10 @@ int* list_senders(const MovesView<Dim>& p, int& count, Scratch& scratch, May&& m
 template <int Dim, class Decide>
 void transfer(const MovesView<Dim>& p, BodyBlock<Dim>& b, const int* senders, int count, Scratch& scratch,
               Decide&& decide) {
-  const auto n = static_cast<std::size_t>(p.window.size());
+  const std::size_t n = p.window.size();
   int* sent = scratch.take_filled<int>(n, -1);
   auto* touched = scratch.take_filled<std::uint8_t>(n, 0);
-  auto* transfers = scratch.take<Transfer<Dim>>(static_cast<std::size_t>(count));
+  auto* transfers = scratch.take<Transfer<Dim>>(count);
   for (int s = 0; s < count; ++s) {
     const int k = senders[s];
     transfers[s] = decide(p.window.box().index(k));
@@ -209,6 +113,64 @@ double surface_flow(const MovesView<Dim>& p, const Index<Dim>& i, int d, Index<D
   if (!(p.volume[p.window.at(source)] > least_state_fill * p.full(source))) return 0;
   return exchange_rate * ((va - a->volume) / area_a - (vb - b->volume) / area_b) * area_a * area_b /
          (area_a + area_b);
+}
+
+/// Sends what cell i holds to the fullest cell around that has much more: one that shares a face, else a
+/// diagonal one.
+template <int Dim>
+void send_to_fullest(const MovesView<Dim>& p, const Index<Dim>& i, Transfer<Dim>& t) {
+  const double have = std::abs(p.volume[p.window.at(i)]);
+  Box<Dim> box{i, i};
+  for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
+  for (const bool diagonal : {false, true}) {
+    double best = least_state_fill;
+    for_each(box, [&](const Index<Dim>& j) {
+      int apart = 0;
+      for (int d = 0; d < Dim; ++d) apart += j[d] != i[d];
+      if (apart == 0 || (apart > 1) != diagonal) return;
+      const double v = p.volume[p.window.at(j)], fill = v / p.full(j);
+      if (fill <= best || v <= fullest_times * have) return;
+      best = fill;
+      t.to = j;
+      t.any = true;
+    });
+    if (t.any) return;
+  }
+}
+
+/// Sends to the emptiest cut cell that shares a face with cell i.
+template <int Dim>
+void send_to_emptiest(const MovesView<Dim>& p, const Index<Dim>& i, Transfer<Dim>& t) {
+  double best = 1;
+  for (int d = 0; d < Dim; ++d)
+    for (int side = -1; side <= 1; side += 2) {
+      Index<Dim> j = i;
+      j[d] += side;
+      const int k = p.window.at(j);
+      if (p.kind[k] != CellKind::cut || p.volume[k] / p.full(j) >= best) continue;
+      best = p.volume[k] / p.full(j);
+      t.to = j;
+      t.any = true;
+    }
+}
+
+/// What a cut cell sends away because its volume is out of bounds.
+template <int Dim>
+Transfer<Dim> back_into_bounds(const MovesView<Dim>& p, const Index<Dim>& i) {
+  Transfer<Dim> t;
+  const double v = p.volume[p.window.at(i)], whole = p.full(i), limit = p.thin(i) ? 0.0 : -open_bound;
+  t.state_cell = i;
+  if (v < limit * whole) {
+    send_to_fullest(p, i, t);
+    t.volume = v;
+    t.factor = 1;
+    t.everything = true;
+  } else if (v > (1 - limit) * whole && v - whole > rounding * whole) {
+    send_to_emptiest(p, i, t);
+    t.volume = v - whole;
+    t.factor = t.volume / v;
+  }
+  return t;
 }
 
 }  // namespace
@@ -328,54 +290,7 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   int count = 0;
   const int* senders = list_senders(p, count, scratch, beyond);
   if (count == 0) return;
-  const auto fullest = [&](const Index<Dim>& i, Transfer<Dim>& t) {
-    const double have = std::abs(p.volume[p.window.at(i)]);
-    Box<Dim> box{i, i};
-    for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
-    for (const bool diagonal : {false, true}) {
-      double best = least_state_fill;
-      for_each(box, [&](const Index<Dim>& j) {
-        int apart = 0;
-        for (int d = 0; d < Dim; ++d) apart += j[d] != i[d];
-        if (apart == 0 || (apart > 1) != diagonal) return;
-        const double v = p.volume[p.window.at(j)], fill = v / p.full(j);
-        if (fill <= best || v <= fullest_times * have) return;
-        best = fill;
-        t.to = j;
-        t.any = true;
-      });
-      if (t.any) return;
-    }
-  };
-  const auto emptiest = [&](const Index<Dim>& i, Transfer<Dim>& t) {
-    double best = 1;
-    for (int d = 0; d < Dim; ++d)
-      for (int side = -1; side <= 1; side += 2) {
-        Index<Dim> j = i;
-        j[d] += side;
-        const int k = p.window.at(j);
-        if (p.kind[k] != CellKind::cut || p.volume[k] / p.full(j) >= best) continue;
-        best = p.volume[k] / p.full(j);
-        t.to = j;
-        t.any = true;
-      }
-  };
-  const auto decide = [&](const Index<Dim>& i) {
-    Transfer<Dim> t;
-    const double v = p.volume[p.window.at(i)], whole = p.full(i), limit = p.thin(i) ? 0.0 : -open_bound;
-    t.state_cell = i;
-    if (v < limit * whole) {
-      fullest(i, t);
-      t.volume = v;
-      t.factor = 1;
-      t.everything = true;
-    } else if (v > (1 - limit) * whole && v - whole > rounding * whole) {
-      emptiest(i, t);
-      t.volume = v - whole;
-      t.factor = t.volume / v;
-    }
-    return t;
-  };
+  const auto decide = [&](const Index<Dim>& i) { return back_into_bounds(p, i); };
   for (int s = 0; s < count; ++s) {
     const Index<Dim> i = p.window.box().index(senders[s]);
     if (!p.window.inner().contains(i)) continue;
@@ -385,57 +300,12 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   transfer<Dim>(p, b, senders, count, scratch, decide);
 }
 
-template <int Dim>
-void average_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch) {
-  BodyBlock<Dim>& b = body.at(slot);
-  b.updates.clear();
-  if (b.reach.size() == 0) return;  // nothing is here
-  const MovesView<Dim> p(state, body, slot, 3 * width, scratch);
-  const auto n = static_cast<std::size_t>(p.window.size());
-  auto* role = scratch.take<std::uint8_t>(n);
-  p.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
-                  Beyond::nothing, role);
-  const auto holds = [&](const Index<Dim>& i) { return p.volume[p.window.at(i)] != 0; };
-  const auto around = [&](const Index<Dim>& i) {
-    Box<Dim> box{i, i};
-    for (int d = 0; d < Dim; ++d) box.lo[d] -= width, box.hi[d] += width + 1;
-    return box;
-  };
-  const auto windows_of = [&](const Index<Dim>& i) {
-    int count = 0;
-    for_each(around(i),
-             [&](const Index<Dim>& j) { count += (role[p.window.at(j)] & has_bad_contents) != 0; });
-    return count;
-  };
-  const Box<Dim> inner = p.window.inner();
-  for_each(inner, [&](const Index<Dim>& i) {
-    if (!holds(i)) return;
-    const int count = windows_of(i);
-    if (count == 0) return;
-    Update<Dim> u{p.window.cell(i), p.volume[p.window.at(i)], {}};
-    for_each(around(i), [&](const Index<Dim>& s) {
-      if ((role[p.window.at(s)] & has_bad_contents) == 0) return;
-      double volume = 0;
-      Contents<Dim> mean{};
-      for_each(around(s), [&](const Index<Dim>& j) {
-        if (!holds(j)) return;
-        const double share = 1.0 / windows_of(j);
-        volume += share * p.volume[p.window.at(j)];
-        add_scaled<Dim>(mean, p.contents(j), share);
-      });
-      add_scaled<Dim>(u.contents, mean, u.volume / (count * volume));
-    });
-    b.updates.push_back(u);
-  });
-}
-
-#define RECOIL_INSTANTIATE(Dim)                                                              \
-  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);   \
-  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                   \
-  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);            \
-  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);              \
-  template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&); \
-  template void average_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int, int, Scratch&);
+#define RECOIL_INSTANTIATE(Dim)                                                            \
+  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&); \
+  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                 \
+  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);          \
+  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);            \
+  template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

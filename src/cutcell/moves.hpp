@@ -37,9 +37,4 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& sc
 template <int Dim>
 void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch);
 
-/// Averages every inadmissible state (Role::has_bad_contents) with the fragments up to `width` cells around,
-/// conservatively; where windows overlap, each cell is shared evenly between them.
-template <int Dim>
-void average_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch);
-
 }  // namespace recoil

@@ -13,7 +13,6 @@ namespace recoil {
 
 namespace {
 
-constexpr double least_judged = 0.02;  // part of a cell below which a state is not judged
 // A donor is averaged where it fills more than this part of a cell and its density lies between these
 // multiples of rho0 (of the stages of a step only: at its start the donor's fill has been judged).
 constexpr double least_averaged = 0.1, thinnest_averaged = 0.2, densest_averaged = 3;
@@ -54,19 +53,6 @@ void row_primitives(const EosModel& eos, std::size_t first, std::size_t count, s
     for (std::size_t c = C::s; c < C::contents; ++c) w[c * n + k] = q[c * n + k] * per_mass;
     if constexpr (EosModel::barotropic) w[C::extra * n + k] = e - eos.energy(rho, p);
   }
-}
-
-template <int Dim, class EosModel>
-[[gnu::always_inline]] inline bool beyond_equations(const EosModel& eos, const Contents<Dim>& q,
-                                                    double volume) {
-  using C = Components<Dim>;
-  const double rho = q[C::rho] / volume;
-  const bool possible = (rho > least_density * eos.rho0) & (rho < largest_density * eos.rho0);
-  double momentum2 = 0;
-  for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
-  const double p = eos.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
-  const double c0 = bulk_sound_speed(eos);
-  return !(possible & (eos.sound_speed_squared(rho, p) >= admissible_sound * c0 * c0));  // true for NaN
 }
 
 template <int Dim, class EosModel>
@@ -167,71 +153,10 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   return fastest / state.grid().dx;
 }
 
-template <int Dim>
-bool inadmissible(const Material& material, const Contents<Dim>& q, double volume) {
-  return std::visit([&](const auto& eos) { return beyond_equations<Dim>(eos, q, volume); }, material.eos);
-}
-
-template <int Dim>
-std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot) {
-  BodyBlock<Dim>& b = body.at(slot);
-  std::int64_t count = 0;
-  const Grid<Dim>& grid = state.grid();
-  const Index<Dim> lo = state.mesh.block(slot).cells.lo;
-  const std::size_t n = b.volume.size();
-  Box<Dim> rows = b.matter;
-  const int width = rows.extent(0);
-  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
-  std::visit(
-      [&](const auto& eos) {
-        const auto is_bad = [&](Index<Dim> i, std::size_t k, int c) {
-          i[0] += c;
-          const std::size_t at = k + static_cast<std::size_t>(c);
-          Contents<Dim> q;  // what is judged: mass, momentum, energy
-          for (std::size_t j = 0; j <= Components<Dim>::energy; ++j) q[j] = b.contents[j * n + at];
-          return (b.volume[at] > least_judged * grid.full_volume(i)) &
-                 beyond_equations<Dim>(eos, q, b.volume[at]);
-        };
-        for_each(rows, [&](const Index<Dim>& i) {
-          const auto k = static_cast<std::size_t>(grid.layout().at(i - lo));
-          std::uint8_t* role = b.role.data() + k;
-          int any = 0;
-#pragma omp simd reduction(| : any)
-          for (int c = 0; c < width; ++c) {
-            role[c] &= static_cast<std::uint8_t>(~has_bad_contents);
-            any |= is_bad(i, k, c) ? 1 : 0;
-          }
-          for (int c = 0; any != 0 && c < width; ++c) {
-            if (!is_bad(i, k, c)) continue;
-            role[c] |= has_bad_contents;
-            ++count;
-          }
-        });
-      },
-      body.material.eos);
-  return count;
-}
-
-template <int Dim>
-bool has_inadmissible(const BodyBlock<Dim>& b) {
-  for (const std::uint8_t r : b.role)
-    if ((r & has_bad_contents) != 0) return true;
-  return false;
-}
-
-template <int Dim>
-void clear_inadmissible(BodyBlock<Dim>& b) {
-  for (std::uint8_t& r : b.role) r &= static_cast<std::uint8_t>(~has_bad_contents);
-}
-
-#define RECOIL_INSTANTIATE(Dim)                                                             \
-  template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);           \
-  template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);     \
-  template double fastest_signal<Dim>(const State<Dim>&, const Body<Dim>&, int, Counters&); \
-  template std::int64_t mark_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int);         \
-  template bool has_inadmissible<Dim>(const BodyBlock<Dim>&);                               \
-  template void clear_inadmissible<Dim>(BodyBlock<Dim>&);                                   \
-  template bool inadmissible<Dim>(const Material&, const Contents<Dim>&, double);
+#define RECOIL_INSTANTIATE(Dim)                                                         \
+  template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);       \
+  template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&); \
+  template double fastest_signal<Dim>(const State<Dim>&, const Body<Dim>&, int, Counters&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -11,10 +11,8 @@ namespace recoil {
 /// Least part of a whole cell that a fragment must fill to take part in fits, and to stand in stencils
 /// itself.
 inline constexpr double donor_fill = 0.3, regular_fill = 0.5;
-/// Wave speeds use at least this part of c0^2; states below are counted, and inadmissible below
-/// admissible_sound.
-inline constexpr double least_sound = 0.05, admissible_sound = 0.02;
-inline constexpr double least_density = 0.5, largest_density = 2.5;  // of rho0, admissible
+/// Wave speeds use at least this part of c0^2; states below are counted.
+inline constexpr double least_sound = 0.05;
 
 /// Contents per volume of one cell to primitives.
 template <int Dim, class EosModel>
@@ -25,9 +23,8 @@ Primitives<Dim> to_primitives(const EosModel& eos, const Contents<Dim>& q, doubl
   double kinetic = 0;
   w[C::rho] = rho;
   for (int d = 0; d < Dim; ++d) {
-    const auto k = static_cast<std::size_t>(C::u + d);
-    w[k] = q[k] * per_mass;
-    kinetic += 0.5 * w[k] * w[k];
+    w[C::u + d] = q[C::u + d] * per_mass;
+    kinetic += 0.5 * w[C::u + d] * w[C::u + d];
   }
   const double e = q[C::energy] * per_mass - kinetic;
   w[C::p] = eos.pressure(rho, e);
@@ -49,26 +46,12 @@ void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Coun
 template <int Dim>
 double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, Counters& counters);
 
-/// Whether contents are beyond what the equations admit: density outside 0.5-2.5 rho0, or c^2 below 0.02
-/// c0^2.
-template <int Dim>
-bool inadmissible(const Material& material, const Contents<Dim>& contents, double volume);
-
-/// Marks (Role::has_bad_contents) the fragments of a block above 0.02 of a cell whose state is inadmissible.
-/// @returns how many.
-template <int Dim>
-std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot);
-template <int Dim>
-bool has_inadmissible(const BodyBlock<Dim>& block);
-template <int Dim>
-void clear_inadmissible(BodyBlock<Dim>& block);
-
 /// The contents of one cell.
 template <int Dim>
 Contents<Dim> contents_of(const BodyBlock<Dim>& b, int cell) {
   const std::size_t n = b.volume.size();
   Contents<Dim> q;
-  for (std::size_t c = 0; c < q.size(); ++c) q[c] = b.contents[c * n + static_cast<std::size_t>(cell)];
+  for (std::size_t c = 0; c < q.size(); ++c) q[c] = b.contents[c * n + cell];
   return q;
 }
 

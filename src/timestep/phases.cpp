@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "cutcell/moves.hpp"
+#include "dynamics/inadmissible.hpp"
 #include "dynamics/plastic_return.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/fit.hpp"

@@ -269,41 +269,6 @@ TYPED_TEST(Moves, ExcessGoesToTheEmptiestCutNeighbour) {
   this->expect_uniform(state);
 }
 
-TYPED_TEST(Moves, BadStatesAreAveragedWithTheirSurroundings) {
-  constexpr int dim = TestFixture::dim;
-  for (const int width : {1, 2, 3}) {
-    auto state = this->ball_of(0.4);
-    const auto a = TestFixture::cell(9, 9), b = TestFixture::cell(9 + width, 9);  // on both sides of a border
-    for_each_piece(state, 0, [&](auto& block, const Index<dim>& i, std::size_t k) {
-      if (i == a || i == b) block.role[k] |= has_bad_contents;
-    });
-    std::vector<double> before;
-    for_each_piece(state, 0, [&](auto& block, const Index<dim>&, std::size_t k) {
-      before.push_back(block.contents[k]);
-    });
-    this->run(state, [&](int s, Scratch& scratch) {
-      average_inadmissible(state, state.bodies[0], s, width, scratch);
-    });
-    double lowest = 1e300, highest = -1e300;
-    std::size_t n = 0;
-    for_each_piece(state, 0, [&](auto& block, const Index<dim>& i, std::size_t k) {
-      const double old = before[n++];
-      bool near_a = true, near_b = true;
-      for (int d = 0; d < dim; ++d) {
-        near_a = near_a && std::abs(i[d] - a[d]) <= width;
-        near_b = near_b && std::abs(i[d] - b[d]) <= width;
-      }
-      if (!near_a && !near_b) {
-        ASSERT_EQ(block.contents[k], old);
-      }
-      if (!near_a || near_b || block.volume[k] == 0) return;
-      lowest = std::min(lowest, block.contents[k] / block.volume[k]);
-      highest = std::max(highest, block.contents[k] / block.volume[k]);
-    });
-    EXPECT_NEAR(lowest / highest, 1, 1e-13);  // one state for all that only one window holds
-  }
-}
-
 TYPED_TEST(Moves, NothingMovesInASettledBody) {
   auto state = this->ball_of(0);
   std::vector<double> before = totals(state, 0);
@@ -315,8 +280,6 @@ TYPED_TEST(Moves, NothingMovesInASettledBody) {
     EXPECT_TRUE(body.at(s).updates.empty());
     bound_volumes(state, body, s, this->counters, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
-    average_inadmissible(state, body, s, 1, scratch);
-    EXPECT_TRUE(body.at(s).updates.empty());
   });
   EXPECT_EQ(totals(state, 0), before);
 }
@@ -327,7 +290,6 @@ TYPED_TEST(Moves, BlocksWithoutReachAreLeftAlone) {
   this->run(state, [&](int s, Scratch& scratch) {
     auto& body = state.bodies[0];
     body.at(s).reach = {};
-    for (int width = 1; width <= 3; ++width) average_inadmissible(state, body, s, width, scratch);
     empty_outside(state, body, s, scratch);
     fill_inside(state, body, s, scratch);
     bound_volumes(state, body, s, this->counters, scratch);

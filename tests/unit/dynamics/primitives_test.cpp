@@ -146,42 +146,5 @@ TYPED_TEST(States, AStateThatIsNotANumberIsAnErrorWithItsPlace) {
   }
 }
 
-TYPED_TEST(States, Admissibility) {
-  constexpr int dim = TestFixture::dim;
-  const double rho0 = density(this->material);
-  const auto at = [&](double rho, double p) {
-    Primitives<dim> w{};
-    w[0] = rho;
-    w[Components<dim>::p] = p;
-    w[1] = 400;
-    return inadmissible<dim>(this->material, per_volume<dim>(this->material, w), 1);
-  };
-  EXPECT_FALSE(at(rho0, 0));
-  EXPECT_FALSE(at(1.3 * rho0, 50e9));
-  EXPECT_TRUE(at(0.45 * rho0, 0));
-  EXPECT_TRUE(at(2.6 * rho0, 0));
-  EXPECT_TRUE(at(0.9 * rho0, -70e9));  // no sound speed
-  EXPECT_FALSE(at(0.9 * rho0, -10e9));
-}
-
-TYPED_TEST(States, BadStatesAreMarkedAndCleared) {
-  constexpr int dim = TestFixture::dim;
-  auto state = this->uniform(some_primitives<dim>(this->material));
-  auto& b = state.bodies[0].at(0);
-  auto dense = per_volume<dim>(this->material, some_primitives<dim>(this->material));
-  dense[0] *= 3;
-  const double full = this->grid.dx_power(dim);
-  EXPECT_EQ(mark_inadmissible(state, state.bodies[0], 0), 0);
-  EXPECT_FALSE(has_inadmissible(b));
-  set_piece(b, 1, full, dense);
-  set_piece(b, 4, 0.03 * full, dense);
-  set_piece(b, 5, 0.01 * full, dense);  // too small to be judged
-  EXPECT_EQ(mark_inadmissible(state, state.bodies[0], 0), 2);
-  EXPECT_TRUE(has_inadmissible(b));
-  EXPECT_TRUE((b.role[4] & has_bad_contents) != 0 && (b.role[5] & has_bad_contents) == 0);
-  clear_inadmissible(b);
-  EXPECT_FALSE(has_inadmissible(b));
-}
-
 }  // namespace
 }  // namespace recoil

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/scratch.hpp"
+#include "cutcell/geometry.hpp"
+#include "state/body.hpp"
+
+namespace recoil {
+
+/// A window on the end-of-step geometry, volumes and contents of one body: what a move of volume or contents
+/// between cells is decided by. It reads the state only; its arrays are the caller's scratch memory.
+template <int Dim>
+class MovesView {
+ public:
+  MovesView(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
+      : grid(state.grid()),
+        window(state.mesh, slot, halo, body.at(slot).reach),
+        body_(body),
+        scratch_(scratch) {
+    const std::size_t n = window.size();
+    volume = scratch.take<double>(n);
+    kind = scratch.take<CellKind>(n);
+    window.gather([&](int s) { return body.present(s) ? body.at(s).volume.data() : nullptr; }, 0.0,
+                  Beyond::nothing, volume);
+    window.gather([&](int s) { return body.present(s) ? body.at(s).end_geometry.kind.data() : nullptr; },
+                  CellKind::empty, Beyond::nothing, kind);
+  }
+
+  void gather_phi() {
+    phi = scratch_.take<double>(window.size());
+    window.gather([&](int s) { return body_.present(s) ? body_.at(s).phi.data() : nullptr; },
+                  far_cells * grid.dx, Beyond::extend, phi);
+  }
+
+  bool exists(const Index<Dim>& i) const { return window.source_inside(i).slot >= 0; }
+  double full(const Index<Dim>& i) const { return grid.full_volume(i); }
+
+  Contents<Dim> contents(const Index<Dim>& i) const {
+    const auto from = window.source_inside(i);
+    if (from.slot < 0 || !body_.present(from.slot)) return {};
+    const auto& b = body_.at(from.slot);
+    const std::size_t n = b.volume.size();
+    Contents<Dim> q;
+    for (std::size_t c = 0; c < q.size(); ++c) q[c] = b.contents[c * n + from.cell];
+    return q;
+  }
+
+  /// The cut cell of the end-of-step geometry there, or null.
+  const CutCell<Dim>* cut(const Index<Dim>& i) const {
+    if (kind[window.at(i)] != CellKind::cut) return nullptr;
+    const auto from = window.source_inside(i);
+    const auto& g = body_.at(from.slot).end_geometry;
+    return &g.cuts[g.index[from.cell]];
+  }
+
+  /// The neighbour along sign * grad phi, on its main axis; along the next one where the domain ends. i
+  /// itself: none.
+  Index<Dim> neighbour(const Index<Dim>& i, int sign) const {
+    const Vec<Dim> g = phi_normal(window.box(), phi, i, grid.dx);
+    std::array<bool, Dim> tried{};
+    for (int n = 0; n < Dim; ++n) {
+      int axis = -1;
+      for (int d = 0; d < Dim; ++d)
+        if (!tried[d] && (axis < 0 || std::abs(g[d]) > std::abs(g[axis]))) axis = d;
+      tried[axis] = true;
+      Index<Dim> j = i;
+      j[axis] += g[axis] * sign > 0 ? 1 : -1;
+      if (exists(j)) return j;
+    }
+    return i;
+  }
+
+  /// Whether the body is thinner than about two cells here: least sum over an axis of V/full over five cells.
+  bool thin(const Index<Dim>& i) const {
+    for (int d = 0; d < Dim; ++d) {
+      double sum = 0;
+      for (int o = -2; o <= 2; ++o) {
+        Index<Dim> j = i;
+        j[d] += o;
+        sum += std::max(volume[window.at(j)], 0.0) / full(j);
+      }
+      if (sum < thin_sum) return true;
+    }
+    return false;
+  }
+
+  const Grid<Dim>& grid;
+  Window<Dim> window;
+  double *volume = nullptr, *phi = nullptr;  // [window]; phi after gather_phi()
+  CellKind* kind = nullptr;                  // [window]
+
+ private:
+  // A body with less than so many cells of matter in five is thin.
+  static constexpr double thin_sum = 1.75;
+
+  const Body<Dim>& body_;
+  Scratch& scratch_;
+};
+
+/// to += factor q.
+template <int Dim>
+void add_scaled(Contents<Dim>& to, const Contents<Dim>& q, double factor) {
+  for (std::size_t c = 0; c < to.size(); ++c) to[c] += factor * q[c];
+}
+
+}  // namespace recoil

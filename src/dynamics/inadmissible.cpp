@@ -1,0 +1,144 @@
+#include "dynamics/inadmissible.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <variant>
+
+#include "cutcell/moves_view.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double least_judged = 0.02;  // part of a cell below which a state is not judged
+constexpr double least_density = 0.5, largest_density = 2.5;  // of rho0
+constexpr double admissible_sound = 0.02;                     // least c^2, of c0^2
+
+template <int Dim, class EosModel>
+[[gnu::always_inline]] inline bool beyond_equations(const EosModel& eos, const Contents<Dim>& q,
+                                                    double volume) {
+  using C = Components<Dim>;
+  const double rho = q[C::rho] / volume;
+  const bool possible = (rho > least_density * eos.rho0) & (rho < largest_density * eos.rho0);
+  double momentum2 = 0;
+  for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
+  const double p = eos.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
+  const double c0 = bulk_sound_speed(eos);
+  return !(possible & (eos.sound_speed_squared(rho, p) >= admissible_sound * c0 * c0));  // true for NaN
+}
+
+}  // namespace
+
+template <int Dim>
+bool inadmissible(const Material& material, const Contents<Dim>& q, double volume) {
+  return std::visit([&](const auto& eos) { return beyond_equations<Dim>(eos, q, volume); }, material.eos);
+}
+
+template <int Dim>
+std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot) {
+  BodyBlock<Dim>& b = body.at(slot);
+  std::int64_t count = 0;
+  const Grid<Dim>& grid = state.grid();
+  const Index<Dim> lo = state.mesh.block(slot).cells.lo;
+  const std::size_t n = b.volume.size();
+  Box<Dim> rows = b.matter;
+  const int width = rows.extent(0);
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  std::visit(
+      [&](const auto& eos) {
+        const auto is_bad = [&](Index<Dim> i, std::size_t k, int c) {
+          i[0] += c;
+          const std::size_t at = k + static_cast<std::size_t>(c);
+          Contents<Dim> q;  // what is judged: mass, momentum, energy
+          for (std::size_t j = 0; j <= Components<Dim>::energy; ++j) q[j] = b.contents[j * n + at];
+          return (b.volume[at] > least_judged * grid.full_volume(i)) &
+                 beyond_equations<Dim>(eos, q, b.volume[at]);
+        };
+        for_each(rows, [&](const Index<Dim>& i) {
+          const auto k = static_cast<std::size_t>(grid.layout().at(i - lo));
+          std::uint8_t* role = b.role.data() + k;
+          int any = 0;
+#pragma omp simd reduction(| : any)
+          for (int c = 0; c < width; ++c) {
+            role[c] &= static_cast<std::uint8_t>(~has_bad_contents);
+            any |= is_bad(i, k, c) ? 1 : 0;
+          }
+          for (int c = 0; any != 0 && c < width; ++c) {
+            if (!is_bad(i, k, c)) continue;
+            role[c] |= has_bad_contents;
+            ++count;
+          }
+        });
+      },
+      body.material.eos);
+  return count;
+}
+
+template <int Dim>
+bool has_inadmissible(const BodyBlock<Dim>& b) {
+  for (const std::uint8_t r : b.role)
+    if ((r & has_bad_contents) != 0) return true;
+  return false;
+}
+
+template <int Dim>
+void clear_inadmissible(BodyBlock<Dim>& b) {
+  for (std::uint8_t& r : b.role) r &= static_cast<std::uint8_t>(~has_bad_contents);
+}
+
+template <int Dim>
+void average_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.updates.clear();
+  if (b.reach.size() == 0) return;  // nothing is here
+  const MovesView<Dim> p(state, body, slot, 3 * width, scratch);
+  auto* role = scratch.take<std::uint8_t>(p.window.size());
+  p.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
+                  Beyond::nothing, role);
+  const auto holds = [&](const Index<Dim>& i) { return p.volume[p.window.at(i)] != 0; };
+  const auto around = [&](const Index<Dim>& i) {
+    Box<Dim> box{i, i};
+    for (int d = 0; d < Dim; ++d) box.lo[d] -= width, box.hi[d] += width + 1;
+    return box;
+  };
+  const auto windows_of = [&](const Index<Dim>& i) {
+    int count = 0;
+    for_each(around(i),
+             [&](const Index<Dim>& j) { count += (role[p.window.at(j)] & has_bad_contents) != 0; });
+    return count;
+  };
+  const Box<Dim> inner = p.window.inner();
+  for_each(inner, [&](const Index<Dim>& i) {
+    if (!holds(i)) return;
+    const int count = windows_of(i);
+    if (count == 0) return;
+    Update<Dim> u{p.window.cell(i), p.volume[p.window.at(i)], {}};
+    for_each(around(i), [&](const Index<Dim>& s) {
+      if ((role[p.window.at(s)] & has_bad_contents) == 0) return;
+      double volume = 0;
+      Contents<Dim> mean{};
+      for_each(around(s), [&](const Index<Dim>& j) {
+        if (!holds(j)) return;
+        const double share = 1.0 / windows_of(j);
+        volume += share * p.volume[p.window.at(j)];
+        add_scaled<Dim>(mean, p.contents(j), share);
+      });
+      add_scaled<Dim>(u.contents, mean, u.volume / (count * volume));
+    });
+    b.updates.push_back(u);
+  });
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                     \
+  template bool inadmissible<Dim>(const Material&, const Contents<Dim>&, double);   \
+  template std::int64_t mark_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int); \
+  template bool has_inadmissible<Dim>(const BodyBlock<Dim>&);                       \
+  template void clear_inadmissible<Dim>(BodyBlock<Dim>&);                           \
+  template void average_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int, int, Scratch&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil
