@@ -43,6 +43,9 @@ struct FaceFlux {
   double* velocity = nullptr;  // [Dim][faces]
   std::size_t faces = 0;       // distance between components
   std::ptrdiff_t first = 0;    // place of the row's first face
+
+  double* flux_of(std::size_t component) const { return flux + component * faces + first; }
+  double* velocity_along(std::size_t axis) const { return velocity + axis * faces + first; }
 };
 
 namespace detail {
@@ -106,7 +109,7 @@ template <int Dim, int Axis, bool Shear, class EosModel>
 void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, int to, FaceValues<Dim>& low,
                  FaceValues<Dim>& high) {
   using C = Components<Dim>;
-  const auto of = [&](int c) { return in.primitive + static_cast<std::size_t>(c) * in.cells + in.first; };
+  const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
   const auto plain = [&](int c, double least) {
     detail::reconstruct_plain(of(c), in.step, in.count, least, low.value[c] + to, high.value[c] + to);
   };
@@ -158,134 +161,189 @@ void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, 
   }
 }
 
+namespace detail {
+
+/// Which reconstructed states are used, and their longitudinal sound speed.
+struct StateBounds {
+  double least_rho, least_c2;  // kg/m3, m2/s2
+  double stiffness;            // 4/3 G [Pa]
+
+  template <class EosModel>
+  StateBounds(const EosModel& eos, double shear_modulus)
+      : least_rho(0.3 * eos.rho0),
+        least_c2(least_sound * bulk_sound_speed(eos) * bulk_sound_speed(eos)),
+        stiffness(4.0 / 3 * shear_modulus) {}
+
+  /// @param own density of the average of the cell that the state belongs to.
+  [[gnu::always_inline]] bool admit(double rho, double own, double c2) const {
+    return (rho > 0.5 * own) & (rho < 2 * own) & (rho > least_rho) & (c2 >= least_c2);
+  }
+  [[gnu::always_inline]] double longitudinal_speed(double rho, double c2) const {
+    return std::sqrt((c2 > least_c2 ? c2 : least_c2) + stiffness / rho);
+  }
+};
+
+/// The states on one side of a row of faces, from place `from` of `values` on.
+template <int Dim>
+struct FaceSide {
+  FaceValues<Dim>& values;
+  int from = 0;
+  const double* sound = nullptr;  // c_L [faces]
+
+  const double* of(std::size_t c) const { return values.value[c] + from; }
+  const double* stress() const { return values.stress + from; }
+};
+
+/// Completes one side: p from the stress, and c_L into `sound`. States out of bounds are replaced by the
+/// average of their cell. @param shift distance in memory from a face's upper cell to the one on this side.
+/// @returns how many states were replaced.
+template <int Dim, int Axis, class EosModel>
+int complete_side(const EosModel& eos, StateBounds bounds, const Row<Dim>& in, std::ptrdiff_t shift,
+                  FaceValues<Dim>& w, int from, double* sound) {
+  using C = Components<Dim>;
+  const double *own = in.primitive + C::rho * in.cells + in.first + shift, *rho = w.value[C::rho] + from,
+               *stress = w.stress + from;
+  double* p = w.value[C::p] + from;
+  int bad = 0;
+#pragma omp simd reduction(+ : bad)
+  for (int i = 0; i < in.count; ++i) {
+    const double pressure = normal_deviator<Dim, Axis>(w.value, i + from) - stress[i];
+    const double c2 = eos.sound_speed_squared(rho[i], pressure);
+    p[i] = pressure;
+    sound[i] = bounds.longitudinal_speed(rho[i], c2);
+    bad += bounds.admit(rho[i], own[i], c2) ? 0 : 1;
+  }
+  if (bad == 0) return 0;
+  for (int i = 0; i < in.count; ++i) {
+    double* value = &w.value[0][i + from];
+    if (bounds.admit(value[0], own[i], eos.sound_speed_squared(value[0], p[i]))) continue;
+    for (std::size_t c = 0; c < C::primitives; ++c)
+      value[c * FaceValues<Dim>::room] = in.primitive[c * in.cells + in.first + i + shift];
+    w.stress[i + from] = in.stress[in.first + i + shift];
+    sound[i] = bounds.longitudinal_speed(value[0], eos.sound_speed_squared(value[0], p[i]));
+  }
+  return bad;
+}
+
+/// The waves along the axis: mass, normal momentum and energy, and the normal star velocity.
+/// @param inverse out: 1/m of the side that the face looks at, 0 where the whole fan goes one way; m is the
+/// mass per area and time that runs through that side's outer wave.
+template <int Dim, int Axis, class EosModel>
+[[gnu::always_inline]] inline void solve_normal_waves(const EosModel& eos, int count,
+                                                      const FaceSide<Dim>& left, const FaceSide<Dim>& right,
+                                                      const FaceFlux<Dim>& out, double* inverse) {
+  using C = Components<Dim>;
+  constexpr std::size_t un = C::u + Axis;
+  const double *rho_left = left.of(C::rho), *rho_right = right.of(C::rho), *u_left = left.of(un),
+               *u_right = right.of(un), *s_left = left.stress(), *s_right = right.stress(),
+               *p_left = left.of(C::p), *p_right = right.of(C::p), *c_left = left.sound,
+               *c_right = right.sound;
+  const double *extra_left = nullptr, *extra_right = nullptr;
+  if constexpr (EosModel::barotropic) {
+    extra_left = left.of(C::extra);
+    extra_right = right.of(C::extra);
+  }
+  double *mass_flux = out.flux_of(C::rho), *normal = out.flux_of(un), *power = out.flux_of(C::energy),
+         *speed = out.velocity_along(Axis);
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double rl = rho_left[i], rr = rho_right[i], ul = u_left[i], ur = u_right[i], sl = s_left[i],
+                 sr = s_right[i], cl = c_left[i], cr = c_right[i];
+    const double low = ul - cl < ur - cr ? ul - cl : ur - cr, high = ul + cl > ur + cr ? ul + cl : ur + cr;
+    const double ml = rl * (low - ul), mr = rr * (high - ur);
+    const double star = (sl - sr + ml * ul - mr * ur) / (ml - mr), stress_star = sl - ml * (star - ul);
+    const bool from_left = star >= 0;
+    const double wave = from_left ? low : high, m = from_left ? ml : mr;
+    const bool beyond = (from_left & (low >= 0)) | (!from_left & (high <= 0));
+    const double rho = from_left ? rl : rr, u = from_left ? ul : ur, s = from_left ? sl : sr;
+    double energy = eos.energy(rho, from_left ? p_left[i] : p_right[i]) + 0.5 * u * u;
+    if constexpr (EosModel::barotropic) energy += from_left ? extra_left[i] : extra_right[i];
+    const double mass = beyond ? rho * u : m / (wave - star) * star;
+    const double out_u = beyond ? u : star, out_s = beyond ? s : stress_star;
+    const double per_m = beyond ? 0.0 : 1 / m;
+    inverse[i] = per_m;
+    mass_flux[i] = mass;
+    normal[i] = mass * out_u - out_s;
+    power[i] = mass * (energy - (stress_star * star - s * u) * per_m) - out_s * out_u;
+    speed[i] = out_u;
+  }
+}
+
+/// The shear waves of a solid along axis t: its momentum and star velocity, and what they add to the energy.
+template <int Dim, int Axis>
+[[gnu::always_inline]] inline void solve_shear_waves(int t, double shear_modulus, int count,
+                                                     const FaceSide<Dim>& left, const FaceSide<Dim>& right,
+                                                     const FaceFlux<Dim>& out, const double* inverse) {
+  using C = Components<Dim>;
+  const std::size_t ut = C::u + t, at = C::s + C::stress(Axis, t);
+  const double *mass = out.flux_of(C::rho), *normal_speed = out.velocity_along(Axis);
+  const double *v_left = left.of(ut), *v_right = right.of(ut), *tau_left = left.of(at),
+               *tau_right = right.of(at), *rho_left = left.of(C::rho), *rho_right = right.of(C::rho);
+  double *momentum = out.flux_of(ut), *power = out.flux_of(C::energy), *speed = out.velocity_along(t);
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const bool from_left = normal_speed[i] >= 0, beyond = inverse[i] == 0;
+    const double vl = v_left[i], vr = v_right[i], v = from_left ? vl : vr;
+    const double tl = tau_left[i], tr = tau_right[i], tau = from_left ? tl : tr;
+    const double zl = std::sqrt(rho_left[i] * shear_modulus), zr = std::sqrt(rho_right[i] * shear_modulus);
+    const double v_star = (zl * vl + zr * vr + tr - tl) / (zl + zr), tau_star = tl + zl * (v_star - vl);
+    const double v_out = beyond ? v : v_star, tau_out = beyond ? tau : tau_star;
+    const double work = (tau_out * v_out - tau * v) / (from_left ? -zl : zr);
+    momentum[i] = mass[i] * v_out - tau_out;
+    power[i] += mass[i] * (0.5 * v * v - work) - tau_out * v_out;
+    speed[i] = v_out;
+  }
+}
+
+/// A fluid carries its velocity along axis t with it.
+template <int Dim, int Axis>
+[[gnu::always_inline]] inline void carry_velocity(int t, int count, const FaceSide<Dim>& left,
+                                                  const FaceSide<Dim>& right, const FaceFlux<Dim>& out) {
+  using C = Components<Dim>;
+  const std::size_t ut = C::u + t;
+  const double *mass = out.flux_of(C::rho), *normal_speed = out.velocity_along(Axis);
+  const double *v_left = left.of(ut), *v_right = right.of(ut);
+  double *momentum = out.flux_of(ut), *power = out.flux_of(C::energy), *speed = out.velocity_along(t);
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double v = normal_speed[i] >= 0 ? v_left[i] : v_right[i];
+    momentum[i] = mass[i] * v;
+    power[i] += mass[i] * (0.5 * v * v);
+    speed[i] = v;
+  }
+}
+
+}  // namespace detail
+
 /// Fluxes through a row of faces across `Axis`, from the values on their left (from place `left_from` of its
 /// row) and on their right: an HLLC solver whose wave speeds are elastic, with acoustic shear waves.
 /// Unphysical values fall back to the cell's own state, for which `in` is read.
 /// @returns how many values fell back.
 template <int Dim, int Axis, bool Shear, class EosModel>
-int solve_faces(const EosModel& eos, double shear_modulus, const Row<Dim>& in, FaceValues<Dim>& left,
-                int left_from, FaceValues<Dim>& right, int right_from, const FaceFlux<Dim>& out) {
+int solve_faces(const EosModel& eos, double shear_modulus, const Row<Dim>& in, FaceValues<Dim>& left_values,
+                int left_from, FaceValues<Dim>& right_values, int right_from, const FaceFlux<Dim>& out) {
   using C = Components<Dim>;
-  constexpr auto P = static_cast<std::size_t>(C::primitives);
-  constexpr std::size_t un = C::u + Axis;
   const int count = in.count;
-  const double c0 = bulk_sound_speed(eos), least_c2 = least_sound * c0 * c0, least_rho = 0.3 * eos.rho0;
-  const double stiffness = 4.0 / 3 * shear_modulus;
-  alignas(64) double sound_left[longest_row], sound_right[longest_row];  // c_L
-
-  const auto good = [&](double rho, double own, double c2) {
-    return (rho > 0.5 * own) & (rho < 2 * own) & (rho > least_rho) & (c2 >= least_c2);
-  };
-  const auto c_long = [&](double rho, double c2) {
-    return std::sqrt((c2 > least_c2 ? c2 : least_c2) + stiffness / rho);
-  };
-  // p from the stress, and the sound speed; @returns how many states are no good.
-  const auto complete = [&](FaceValues<Dim>& w, int from, std::ptrdiff_t shift, double* sound) {
-    const double *own = in.primitive + C::rho * in.cells + in.first + shift, *rho = w.value[C::rho] + from,
-                 *stress = w.stress + from;
-    double* p = w.value[C::p] + from;
-    int bad = 0;
-#pragma omp simd reduction(+ : bad)
-    for (int i = 0; i < count; ++i) {
-      const double pressure = detail::normal_deviator<Dim, Axis>(w.value, i + from) - stress[i];
-      const double c2 = eos.sound_speed_squared(rho[i], pressure);
-      p[i] = pressure;
-      sound[i] = c_long(rho[i], c2);
-      bad += good(rho[i], own[i], c2) ? 0 : 1;
-    }
-    if (bad == 0) return 0;
-    for (int i = 0; i < count; ++i) {
-      double* value = &w.value[0][i + from];
-      if (good(value[0], own[i], eos.sound_speed_squared(value[0], p[i]))) continue;
-      for (std::size_t c = 0; c < P; ++c)
-        value[c * FaceValues<Dim>::room] =
-            in.primitive[c * in.cells + static_cast<std::size_t>(in.first + i + shift)];
-      w.stress[i + from] = in.stress[in.first + i + shift];
-      sound[i] = c_long(value[0], eos.sound_speed_squared(value[0], p[i]));
-    }
-    return bad;
-  };
+  const detail::StateBounds bounds(eos, shear_modulus);
+  alignas(64) double sound_left[longest_row], sound_right[longest_row], inverse[longest_row];
   const int fallen =
-      complete(left, left_from, -in.step, sound_left) + complete(right, right_from, 0, sound_right);
+      detail::complete_side<Dim, Axis>(eos, bounds, in, -in.step, left_values, left_from, sound_left) +
+      detail::complete_side<Dim, Axis>(eos, bounds, in, 0, right_values, right_from, sound_right);
 
-  const auto of_left = [&](std::size_t c) { return left.value[c] + left_from; };
-  const auto of_right = [&](std::size_t c) { return right.value[c] + right_from; };
-  const auto flux = [&](std::size_t c) { return out.flux + c * out.faces + out.first; };
-  const auto velocity = [&](std::size_t d) { return out.velocity + d * out.faces + out.first; };
-
-  // The waves along the axis. `inverse`: 1/m of the side that the face looks at, 0 where the whole fan goes
-  // one way.
-  alignas(64) double inverse[longest_row];
-  {
-    const double *rho_left = of_left(C::rho), *rho_right = of_right(C::rho), *u_left = of_left(un),
-                 *u_right = of_right(un), *s_left = left.stress + left_from,
-                 *s_right = right.stress + right_from, *p_left = of_left(C::p), *p_right = of_right(C::p);
-    const double *extra_left = nullptr, *extra_right = nullptr;
-    if constexpr (EosModel::barotropic) {
-      extra_left = of_left(C::extra);
-      extra_right = of_right(C::extra);
-    }
-    double *mass_flux = flux(C::rho), *normal = flux(un), *power = flux(C::energy), *speed = velocity(Axis);
-#pragma omp simd
-    for (int i = 0; i < count; ++i) {
-      const double rl = rho_left[i], rr = rho_right[i], ul = u_left[i], ur = u_right[i], sl = s_left[i],
-                   sr = s_right[i], cl = sound_left[i], cr = sound_right[i];
-      const double low = ul - cl < ur - cr ? ul - cl : ur - cr, high = ul + cl > ur + cr ? ul + cl : ur + cr;
-      const double ml = rl * (low - ul), mr = rr * (high - ur);
-      const double star = (sl - sr + ml * ul - mr * ur) / (ml - mr), stress_star = sl - ml * (star - ul);
-      const bool from_left = star >= 0;
-      const double wave = from_left ? low : high, m = from_left ? ml : mr;
-      const bool beyond = (from_left & (low >= 0)) | (!from_left & (high <= 0));
-      const double rho = from_left ? rl : rr, u = from_left ? ul : ur, s = from_left ? sl : sr;
-      double energy = eos.energy(rho, from_left ? p_left[i] : p_right[i]) + 0.5 * u * u;
-      if constexpr (EosModel::barotropic) energy += from_left ? extra_left[i] : extra_right[i];
-      const double mass = beyond ? rho * u : m / (wave - star) * star;
-      const double out_u = beyond ? u : star, out_s = beyond ? s : stress_star;
-      const double per_m = beyond ? 0.0 : 1 / m;
-      inverse[i] = per_m;
-      mass_flux[i] = mass;
-      normal[i] = mass * out_u - out_s;
-      power[i] = mass * (energy - (stress_star * star - s * u) * per_m) - out_s * out_u;
-      speed[i] = out_u;
-    }
-  }
-  const double *mass = flux(C::rho), *normal_speed = velocity(Axis);  // its sign tells the side
+  const detail::FaceSide<Dim> left{left_values, left_from, sound_left},
+      right{right_values, right_from, sound_right};
+  detail::solve_normal_waves<Dim, Axis>(eos, count, left, right, out, inverse);
   for (int t = 0; t < Dim; ++t) {
     if (t == Axis) continue;
-    const auto ut = static_cast<std::size_t>(C::u + t);
-    const double *v_left = of_left(ut), *v_right = of_right(ut);
-    double *momentum = flux(ut), *power = flux(C::energy), *speed = velocity(static_cast<std::size_t>(t));
-    if constexpr (Shear) {
-      const auto at = static_cast<std::size_t>(C::s + C::stress(Axis, t));
-      const double *tau_left = of_left(at), *tau_right = of_right(at), *rho_left = of_left(C::rho),
-                   *rho_right = of_right(C::rho);
-#pragma omp simd
-      for (int i = 0; i < count; ++i) {
-        const bool from_left = normal_speed[i] >= 0, beyond = inverse[i] == 0;
-        const double vl = v_left[i], vr = v_right[i], v = from_left ? vl : vr;
-        const double tl = tau_left[i], tr = tau_right[i], tau = from_left ? tl : tr;
-        const double zl = std::sqrt(rho_left[i] * shear_modulus),
-                     zr = std::sqrt(rho_right[i] * shear_modulus);
-        const double v_star = (zl * vl + zr * vr + tr - tl) / (zl + zr), tau_star = tl + zl * (v_star - vl);
-        const double v_out = beyond ? v : v_star, tau_out = beyond ? tau : tau_star;
-        const double work = (tau_out * v_out - tau * v) / (from_left ? -zl : zr);
-        momentum[i] = mass[i] * v_out - tau_out;
-        power[i] += mass[i] * (0.5 * v * v - work) - tau_out * v_out;
-        speed[i] = v_out;
-      }
-    } else {
-#pragma omp simd
-      for (int i = 0; i < count; ++i) {
-        const double v = normal_speed[i] >= 0 ? v_left[i] : v_right[i];
-        momentum[i] = mass[i] * v;
-        power[i] += mass[i] * (0.5 * v * v);
-        speed[i] = v;
-      }
-    }
+    if constexpr (Shear)
+      detail::solve_shear_waves<Dim, Axis>(t, shear_modulus, count, left, right, out, inverse);
+    else
+      detail::carry_velocity<Dim, Axis>(t, count, left, right, out);
   }
+  const double *mass = out.flux_of(C::rho), *normal_speed = out.velocity_along(Axis);
   for (std::size_t c = C::s; c < C::contents; ++c) {
-    const double *l = of_left(c), *r = of_right(c);
-    double* f = flux(c);
+    const double *l = left.of(c), *r = right.of(c);
+    double* f = out.flux_of(c);
 #pragma omp simd
     for (int i = 0; i < count; ++i) f[i] = mass[i] * (normal_speed[i] >= 0 ? l[i] : r[i]);
   }

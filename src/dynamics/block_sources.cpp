@@ -1,0 +1,172 @@
+#include "dynamics/block_sources.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "dynamics/flux.hpp"
+
+namespace recoil::detail {
+
+namespace {
+
+/// Puts the fits of the walls where cut cells have no value of their own; the fluxes no longer need what was
+/// there.
+template <int Dim>
+void borrow_wall_values(const BodyBlock<Dim>& b, Work<Dim>& w) {
+  if (!w.role) return;
+  for (std::size_t m = 0; m < b.geometry.cuts.size(); ++m) {
+    const int k = w.window.at(w.window.index_of(b.geometry.cuts[m].cell));
+    if ((w.role[k] & valued) != 0) continue;
+    for (std::size_t c = 0; c < Components<Dim>::primitives; ++c)
+      w.primitive[c * w.wide + k] = b.walls[m].value[c];
+  }
+}
+
+/// Takes the widening of a cell off both r-columns of the gradient and the hoop stress off the radial force
+/// (theory: axisymmetry); the divergence keeps the raw r-weighted sums. `plane`: area of the fragment in the
+/// (r, z) plane.
+template <int Dim>
+[[gnu::always_inline]] inline void take_off_widening(const double* value, std::size_t wide, double ur,
+                                                     double uz, double plane, double* gradient, double* rate,
+                                                     std::size_t n) {
+  using C = Components<Dim>;
+  gradient[0] -= ur * plane;
+  gradient[Dim * n] -= uz * plane;
+  const double hoop = -value[C::p * wide] - value[C::s * wide] - value[(C::s + 1) * wide];
+  rate[C::u * n] -= hoop * plane;
+}
+
+/// A cut cell reads the velocity from its wall where its r-faces are not open.
+template <int Dim>
+void axisymmetric_cut(const Wall<Dim>& wall, const CutCell<Dim>& cut, Work<Dim>& w) {
+  using C = Components<Dim>;
+  const Index<Dim> i = w.window.index_of(cut.cell);
+  const int k = w.cells.at(i);
+  const double* value = w.primitive + w.window.at(i);
+  const double dx = w.grid.dx;
+  double ur = value[C::u * w.wide], uz = value[(C::u + 1) * w.wide];
+  const auto wide_open = [&](int side) {
+    return cut.open[0][side] > 0.3 * w.grid.face_radius(i[0] + side) * dx;
+  };
+  if ((i[0] == 0 || wide_open(0)) && wide_open(1)) {
+    ur = w.radial[k];
+    uz = w.radial[w.n + k];
+  } else if (wall.donors > 0) {
+    const Vec<Dim> r = (w.grid.centre(i) - cut.point) * (1 / dx) + cut.centroid;
+    ur = wall.value[C::u] + dot(wall.gradient[C::u], r);
+    uz = wall.value[C::u + 1] + dot(wall.gradient[C::u + 1], r);
+  }
+  take_off_widening<Dim>(value, w.wide, ur, uz, cut.plane_area, w.gradient + k, w.rate + k, w.n);
+}
+
+/// Hoop terms of a block: whole cells row by row, then the cut ones.
+template <int Dim>
+void axisymmetric_sources(const BodyBlock<Dim>& b, Work<Dim>& w) {
+  using C = Components<Dim>;
+  Box<Dim> rows = w.cells;
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = w.cells.extent(0);
+  const double area = w.grid.dx * w.grid.dx;
+  std::array<double, longest_row> plane;
+  for_each(rows, [&](const Index<Dim>& r) {
+    for (int from = 0; from < width; from += longest_row) {
+      const int count = std::min(width - from, longest_row);
+      const int at = w.window.at(r) + from;
+      const int k = w.cells.at(r) + from, cell = w.window.cell(r) + from;
+      const double* value = w.primitive + at;
+      double *ur = w.radial + k, *uz = w.radial + w.n + k;
+      if (r[0] + from == 0) *uz = value[(C::u + 1) * w.wide];  // the axis is no face to take a mean with
+      for (int i = 0; i < count; ++i) {
+        const bool full = w.whole ? !w.role || (w.role[at + i] & regular) != 0
+                                  : b.geometry.kind[cell + i] == CellKind::full;
+        plane[i] = full ? area : 0;
+      }
+#pragma omp simd
+      for (int i = 0; i < count; ++i)
+        take_off_widening<Dim>(value + i, w.wide, ur[i], uz[i], plane[i], w.gradient + k + i, w.rate + k + i,
+                               w.n);
+    }
+  });
+  if (w.whole) return;
+  for (std::size_t m = 0; m < b.geometry.cuts.size(); ++m)
+    axisymmetric_cut(b.walls[m], b.geometry.cuts[m], w);
+}
+
+/// 2 G dev D + W S - S W of one cell, integrated over the fragment. L[(i * Dim + j) * n]: integral of
+/// du_i/dx_j.
+template <int Dim>
+[[gnu::always_inline]] inline void stress_rate(double g, double trace, const double* value, std::size_t wide,
+                                               const double* L, double* rate, std::size_t n) {
+  using C = Components<Dim>;
+  const double rho = value[C::rho * wide];
+  std::array<double, Dim * Dim> l, full;
+  for (std::size_t c = 0; c < l.size(); ++c) l[c] = L[c * n];
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) {
+      const int c = C::stress(i, j);
+      full[i * Dim + j] =
+          c >= 0 ? value[(C::s + c) * wide] : -(value[C::s * wide] + value[(C::s + 1) * wide]);
+    }
+  const auto at = [](const auto& m, int i, int j) { return m[i * Dim + j]; };
+  for (int i = 0; i < Dim; ++i)
+    for (int j = i; j < Dim; ++j) {
+      const int c = C::stress(i, j);
+      if (c < 0) continue;
+      double sum = g * (at(l, i, j) + at(l, j, i)) - (i == j ? 2 * g * trace / 3 : 0);
+      for (int m = 0; m < Dim; ++m)
+        sum += 0.5 * (at(l, i, m) - at(l, m, i)) * at(full, m, j) -
+               at(full, i, m) * (0.5 * (at(l, m, j) - at(l, j, m)));
+      rate[(C::s + c) * n] += rho * sum;
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+void add_walls(BodyBlock<Dim>& b, Work<Dim>& w, double dt) {
+  using C = Components<Dim>;
+  for (std::size_t m = 0; m < b.geometry.cuts.size(); ++m) {
+    const int cell = b.geometry.cuts[m].cell;
+    const Wall<Dim>& wall = b.walls[m];
+    const int k = w.cells.at(w.window.index_of(cell));
+    for (int d = 0; d < Dim; ++d) {
+      w.rate[(C::u + d) * w.n + k] += wall.force[d];
+      for (int e = 0; e < Dim; ++e) w.gradient[(d * Dim + e) * w.n + k] += wall.stretching[d][e];
+    }
+    w.rate[C::energy * w.n + k] += wall.power;
+    b.volume[cell] += dt * wall.volume_rate;
+  }
+}
+
+template <int Dim>
+void add_sources(const BodyBlock<Dim>& b, double g, Work<Dim>& w, Scratch& scratch) {
+  if (!w.whole) borrow_wall_values(b, w);
+  double* trace = scratch.take_filled<double>(w.n, 0);
+  for (std::size_t d = 0; d < Dim; ++d)
+    for (std::size_t k = 0; k < w.n; ++k) trace[k] += w.gradient[(d * Dim + d) * w.n + k];
+  if constexpr (Dim == 2)
+    if (w.grid.axisymmetric) axisymmetric_sources(b, w);
+  if (!(g > 0)) return;
+  Box<Dim> rows = w.cells;
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = w.cells.extent(0);
+  for_each(rows, [&](const Index<Dim>& r) {
+    const double* value = w.primitive + w.window.at(r);
+    const auto k = w.cells.at(r);
+    const double *L = w.gradient + k, *t = trace + k;
+    double* rate = w.rate + k;
+#pragma omp simd
+    for (int i = 0; i < width; ++i) stress_rate<Dim>(g, t[i], value + i, w.wide, L + i, rate + i, w.n);
+  });
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                      \
+  template void add_walls<Dim>(BodyBlock<Dim>&, Work<Dim>&, double); \
+  template void add_sources<Dim>(const BodyBlock<Dim>&, double, Work<Dim>&, Scratch&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil::detail

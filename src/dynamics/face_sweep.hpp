@@ -1,0 +1,204 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/scratch.hpp"
+#include "cutcell/geometry.hpp"
+#include "dynamics/face_rows.hpp"
+#include "dynamics/flux_llf.hpp"
+
+namespace recoil::detail {
+
+/// The scheme of the faces: face_fluxes() of dynamics/flux.hpp or of dynamics/flux_llf.hpp.
+struct WenoHllc {
+  static constexpr bool by_cells = true;  // reconstructs once per cell for both its faces
+  template <int Dim, int Axis, bool Shear, class EosModel>
+  static int fluxes(const EosModel& eos, double g, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+    return face_fluxes<Dim, Axis, Shear>(eos, g, in, out);
+  }
+};
+struct EnoLlf {
+  static constexpr bool by_cells = false;
+  template <int Dim, int Axis, bool Shear, class EosModel>
+  static int fluxes(const EosModel& eos, double g, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+    return face_fluxes_llf<Dim, Axis, Shear>(eos, g, in, out);
+  }
+};
+
+/// A face whose stencil lacks values: the nearest value stands in for those beyond it.
+template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
+void poor_face(const EosModel& eos, double g, const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step,
+               const FaceFlux<Dim>& out, Counters& counters) {
+  using C = Components<Dim>;
+  std::array<std::ptrdiff_t, 6> from{};
+  std::array<bool, 6> has{};
+  for (std::size_t s = 0; s < 6; ++s) {
+    from[s] = at + (static_cast<std::ptrdiff_t>(s) - 3) * step;
+    has[s] = (w.role[from[s]] & valued) != 0;
+  }
+  ++counters.faces_without_value;
+  if (!has[2] && !has[3]) {
+    for (std::size_t c = 0; c < C::contents; ++c) out.flux[c * out.faces + out.first] = 0;
+    for (std::size_t d = 0; d < Dim; ++d) out.velocity[d * out.faces + out.first] = 0;
+    return;
+  }
+  if (!has[2]) from[2] = from[3];
+  if (!has[3]) from[3] = from[2];
+  for (std::size_t s : {1, 0})
+    if (!has[s]) from[s] = from[s + 1];
+  for (std::size_t s : {4, 5})
+    if (!has[s]) from[s] = from[s - 1];
+  std::array<double, 6 * C::primitives> value{};
+  std::array<double, 6> stress{}, impedance{};
+  for (std::size_t s = 0; s < 6; ++s) {
+    for (std::size_t c = 0; c < C::primitives; ++c) value[c * 6 + s] = w.primitive[c * w.wide + from[s]];
+    stress[s] = w.stress[from[s]];
+    impedance[s] = w.impedance[from[s]];
+  }
+  const Row<Dim> row{value.data(), stress.data(), impedance.data(), 6, 3, 1, 1};
+  counters.first_order_faces += Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out);
+}
+
+template <int Dim>
+bool complete(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step) {
+  for (int s = -3; s < 3; ++s)
+    if ((w.role[at + s * step] & valued) == 0) return false;
+  return true;
+}
+
+/// Nothing passes closed faces; those whose stencil lacks values are done on their own.
+template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
+void replace_inadmissible_faces(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+                                Counters& counters) {
+  using C = Components<Dim>;
+  const std::ptrdiff_t step = w.window.stride(Axis);
+  Box<Dim> rows = out.box;
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = out.box.extent(0);
+  for_each(rows, [&](const Index<Dim>& r) {
+    const int at_face = out.box.at(r), at_cell = w.window.at(r);
+    for (int i = 0; i < width; ++i) {
+      const int face = at_face + i;
+      if (out.area[face] == 0) {
+        for (std::size_t c = 0; c < C::contents; ++c) out.flux.flux[c * out.flux.faces + face] = 0;
+        for (std::size_t d = 0; d < Dim; ++d) out.flux.velocity[d * out.flux.faces + face] = 0;
+      } else if (w.role && !complete(w, at_cell + i, step)) {
+        poor_face<Dim, Axis, Shear, Scheme>(eos, g, w, at_cell + i, step, out.flux_at(at_face + i), counters);
+      }
+    }
+  });
+}
+
+/// All faces of real cells are open, those between two others are not there.
+template <int Dim>
+void whole_areas(const Work<Dim>& w, const Box<Dim>& faces, int axis, double* area) {
+  const std::ptrdiff_t step = w.window.stride(axis);
+  int k = 0;
+  for_each(faces, [&](const Index<Dim>& i) {
+    const std::ptrdiff_t at = w.window.at(i);
+    const bool open = !w.role || ((w.role[at] | w.role[at - step]) & regular) != 0;
+    area[k++] = open ? w.grid.full_area(i, axis) : 0;
+  });
+}
+
+/// S_nn - p along an axis in all cells of the window, into Work::stress.
+template <int Dim, int Axis>
+void find_normal_stress(Work<Dim>& w, Scratch& scratch) {
+  using C = Components<Dim>;
+  w.stress = scratch.take<double>(w.wide + vector_length);
+  const double* p = w.primitive + C::p * w.wide;
+  const double* a = w.primitive + C::s * w.wide;
+  if constexpr (Dim == 3 && Axis == 2) {
+    for (std::size_t k = 0; k < w.wide; ++k) w.stress[k] = -(a[k] + a[w.wide + k]) - p[k];
+  } else {
+    a += C::stress(Axis, Axis) * w.wide;
+    for (std::size_t k = 0; k < w.wide; ++k) w.stress[k] = a[k] - p[k];
+  }
+}
+
+/// Adds what the fluxes bring to the rates of the block's cells, and the star velocities to their gradients.
+template <int Dim, int Axis>
+void add_fluxes(const Faces<Dim>& in, Work<Dim>& w) {
+  const std::size_t nf = in.flux.faces;
+  const double *area = in.area, *flux = in.flux.flux, *velocity = in.flux.velocity;
+  const std::ptrdiff_t next = in.box.stride(Axis);
+  Box<Dim> cell_rows = w.cells;
+  cell_rows.hi[0] = cell_rows.lo[0] + 1;
+  const int cell_width = w.cells.extent(0);
+  for_each(cell_rows, [&](const Index<Dim>& r) {
+    const int f = in.box.at(r), k = w.cells.at(r);
+    const double *low = area + f, *high = area + f + next;
+    for (std::size_t c = 0; c < Components<Dim>::contents; ++c) {
+      const double* q = flux + c * nf + f;
+      double* out = w.rate + c * w.n + k;
+#pragma omp simd
+      for (int i = 0; i < cell_width; ++i) out[i] += low[i] * q[i] - high[i] * q[i + next];
+    }
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const double* u = velocity + d * nf + f;
+      double* out = w.gradient + (d * Dim + Axis) * w.n + k;
+#pragma omp simd
+      for (int i = 0; i < cell_width; ++i) out[i] += high[i] * u[i + next] - low[i] * u[i];
+      if (w.grid.axisymmetric && Axis == 0)
+        for (int i = 0; i < cell_width; ++i) w.radial[d * w.n + k + i] = 0.5 * (u[i] + u[i + next]);
+    }
+  });
+}
+
+/// Books what passes the edges of the domain, times `booked` seconds. Nothing is booked at periodic edges: it
+/// comes back on the other side.
+template <int Dim>
+void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booked, Account<Dim>& edges) {
+  using C = Components<Dim>;
+  if (w.grid.periodic(axis)) return;
+  const std::size_t nf = in.flux.faces;
+  const double *area = in.area, *flux = in.flux.flux;
+  for (int side = 0; side < 2; ++side) {
+    const int edge = side == 0 ? 0 : w.grid.cells[axis];
+    if (side == 0 ? w.cells.lo[axis] != 0 : w.cells.hi[axis] != edge) continue;
+    Box<Dim> face = in.box;
+    face.lo[axis] = edge;
+    face.hi[axis] = edge + 1;
+    const double sign = side == 0 ? -booked : booked;
+    for_each(face, [&](const Index<Dim>& i) {
+      const int k = in.box.at(i);
+      edges.mass += sign * area[k] * flux[C::rho * nf + k];
+      edges.energy += sign * area[k] * flux[C::energy * nf + k];
+      for (int d = 0; d < Dim; ++d) edges.momentum[d] += sign * area[k] * flux[(C::u + d) * nf + k];
+    });
+  }
+}
+
+/// Fluxes through all faces across one axis, their open areas, and what they add to the block's cells.
+/// @param booked seconds with which what passes the edges of the domain is booked in `edges`.
+template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
+void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Dim>& w, double booked,
+           Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+  const Scratch::Frame frame(scratch);
+  Box<Dim> faces = w.cells;
+  ++faces.hi[Axis];
+  const std::size_t nf = faces.size();
+  double* area = scratch.take<double>(nf);
+  double* flux = scratch.take<double>(nf * Components<Dim>::contents);
+  double* velocity = scratch.take<double>(nf * Dim);
+  find_normal_stress<Dim, Axis>(w, scratch);
+  if (w.whole)
+    whole_areas(w, faces, Axis, area);
+  else
+    open_areas(w.grid, w.window, geometry, Axis, area);
+
+  const Faces<Dim> out{faces, area, {flux, velocity, nf, 0}};
+  if constexpr (!Scheme::by_cells)
+    solve_row_by_row<Dim, Axis, Shear, Scheme>(eos, g, w, out, counters);
+  else if constexpr (Axis == 0)
+    solve_along_rows<Dim, Shear>(eos, g, w, out, counters);
+  else
+    solve_across_rows<Dim, Axis, Shear>(eos, g, w, out, counters);
+  replace_inadmissible_faces<Dim, Axis, Shear, Scheme>(eos, g, w, out, counters);
+
+  add_fluxes<Dim, Axis>(out, w);
+  book_edges(out, w, Axis, booked, edges);
+}
+
+}  // namespace recoil::detail
