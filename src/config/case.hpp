@@ -15,8 +15,8 @@
 
 namespace recoil::config {
 
-/// What a case file says, checked and in SI. Its materials are read by material/library, with the key lists
-/// of their models.
+/// The contents of a case file, checked and in SI. Its materials are read by material/library, with the key
+/// lists of their models.
 struct Case {
   std::string file;  // path as given
   std::string text;  // the file's content

@@ -69,7 +69,7 @@ std::vector<std::string> split_path(std::string_view dotted);
 std::string join_path(const std::string& parent, const std::string& key);
 
 /// Puts `value` at a path below `root`, replacing what is there and making the tables on the way.
-/// @return false where the way leads through something that is no table.
+/// @return false where the way leads through something that is not a table.
 bool put(Node& root, const std::vector<std::string>& path, Node value);
 
 /// `over` laid over `base`: tables are merged key by key, anything else is replaced. Places stay with their

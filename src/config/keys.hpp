@@ -36,7 +36,7 @@ struct Key {
   std::string default_text = {};  // as one would write it; empty: none
   std::string doc = {};
   std::vector<std::string> choices = {};
-  std::vector<std::string> not_yet = {};  // values that a later version will know
+  std::vector<std::string> not_yet = {};  // values of a later version
   std::string example = {};               // a value as one would write it
   std::vector<Geometry> only_in = {};     // empty: in every geometry
 };

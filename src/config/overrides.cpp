@@ -70,7 +70,7 @@ void apply_overrides(Document& document, const std::vector<std::string>& overrid
     const Document before = document;
     if (!put(document.root, path, parse_value(without_blanks(one.substr(equals + 1)), at_value))) {
       out.error({source_name, line, 1, static_cast<int>(equals)},
-                fmt::format("'{}' leads through a key that is no table", one.substr(0, equals)));
+                fmt::format("'{}' leads through a key that is not a table", one.substr(0, equals)));
       continue;
     }
     place_keys(document.root, path, before, {source_name, line, 1, 1});

@@ -24,14 +24,14 @@ bool check_format(const Document& document, Diagnostics& out) {
   return false;
 }
 
-/// The ghost-fluid schemes know frictionless contact that parts, and nothing else.
+/// The ghost-fluid schemes support frictionless separable contact only.
 void check_contact_of_scheme(const Case& c, const Node& root, Diagnostics& out) {
   using enum ContactChoice::Mode;
   bool other = c.contact.usual.mode != separable;
   for (const Contact::Pair& p : c.contact.pairs) other = other || p.choice.mode != separable;
   if (!other || c.method.scheme == "conservative") return;
   out.error(root.find("contact")->key_place,
-            fmt::format("scheme = \"{}\" knows separable contact without friction only", c.method.scheme),
+            fmt::format("scheme = \"{}\" supports frictionless separable contact only", c.method.scheme),
             "use scheme = \"conservative\"");
 }
 

@@ -110,12 +110,12 @@ struct ValueReader {
                 fmt::format("'{}' = \"{}\" is not available in this version", key.name, node.text), all);
       return;
     }
-    out.error(node.place, fmt::format("'{}' is no value of '{}'", node.text, key.name),
+    out.error(node.place, fmt::format("'{}' is not a valid '{}'", node.text, key.name),
               help.empty() ? all : help + " (" + all + ")");
   }
 
   void read_texts(const Node& node, Record::Value& v) const {
-    if (node.is_text()) {  // one text stands for a list of one
+    if (node.is_text()) {  // one text means a list of one
       choice(node);
       v.texts.push_back(node.text);
       return;
@@ -148,7 +148,7 @@ struct ValueReader {
     for (const Node& one : node.children) {
       const auto axis = std::find(axes.begin(), axes.end(), one.key);
       if (axis == axes.end()) {
-        out.error(one.key_place, fmt::format("'{}' is no component of '{}' here", one.key, key.name),
+        out.error(one.key_place, fmt::format("'{}' is not a component of '{}' here", one.key, key.name),
                   fmt::format("this geometry has {}", fmt::join(axes, ", ")));
         continue;
       }
@@ -237,7 +237,7 @@ void report_unknown(const Node& table, std::span<const Key> keys, const Owner& o
   for (const Node& child : table.children) {
     if (std::find(names.begin(), names.end(), child.key) != names.end()) continue;
     if (std::find(owner.elsewhere.begin(), owner.elsewhere.end(), child.key) != owner.elsewhere.end()) {
-      out.error(child.key_place, fmt::format("'{}' means nothing for {}", child.key, owner.what),
+      out.error(child.key_place, fmt::format("'{}' does not apply to {}", child.key, owner.what),
                 fmt::format("known here: {}", fmt::join(names, ", ")));
       continue;
     }

@@ -26,9 +26,9 @@ struct Owner {
 /// more. All getters @throw InternalError for a name that is not in the list.
 class Record {
  public:
-  /// The key stands in the table (rightly or wrongly).
+  /// The key is in the table, accepted or not.
   bool has(std::string_view name) const;
-  /// The key stands in the table and its value was accepted.
+  /// The key is in the table and its value was accepted.
   bool good(std::string_view name) const;
 
   double number(std::string_view name) const;  // quantity (SI), integer
@@ -38,7 +38,7 @@ class Record {
   const std::vector<std::string>& texts(std::string_view name) const;
   std::array<double, 2> range(std::string_view name) const;
   std::array<double, 3> vector3(std::string_view name) const;  // components in the order of the axes
-  /// The value as it stands in the file; null where not given.
+  /// The value as written in the file; null where not given.
   const Node* node(std::string_view name) const;
 
   /// Of the value; where the key was not given, of the table.

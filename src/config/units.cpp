@@ -238,7 +238,7 @@ std::string example(std::string_view si) {
 Quantity split_quantity(std::string_view text, const Split& s, std::string_view si, std::string_view name) {
   Quantity q;
   if (!s.number) {
-    q.problem = fmt::format("'{}' is no quantity: '{}' needs a number and a unit", text, name);
+    q.problem = fmt::format("'{}' is not a quantity: '{}' needs a number and a unit", text, name);
     q.help = "write " + example(si);
     return q;
   }
@@ -246,7 +246,7 @@ Quantity split_quantity(std::string_view text, const Split& s, std::string_view 
   q.unit = std::string(s.rest);
   if (s.rest.size() > 1 && s.rest[0] == ',' && is_digit(s.rest[1])) {
     q.problem = fmt::format("'{}' has a decimal comma", text);
-    q.help = "write a point";
+    q.help = "use a decimal point";
   }
   return q;
 }

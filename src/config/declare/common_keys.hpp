@@ -36,6 +36,6 @@ Entry<T> place_key(const char* name, Vector T::*member, const char* doc) {
 
 /// Of gauges.
 inline constexpr const char* every_record = "time between two records; 0: every step";
-inline constexpr const char* watched_body = "the body it watches";
+inline constexpr const char* watched_body = "the body that is measured";
 
 }  // namespace recoil::config

@@ -22,7 +22,7 @@
 ///
 /// Reading (read_struct.hpp), checks, defaults, `explain`, the schema, the reference page and the resolved
 /// case (write_struct.hpp) follow from it. What a default-constructed struct holds is the default. A struct
-/// may have a function `check(const TableReading&)` for what single keys cannot say; it is called last.
+/// may have a function `check(const TableReading&)` for conditions on several keys; it is called last.
 namespace recoil::config {
 
 struct Node;
@@ -88,7 +88,7 @@ using Member =
                  std::vector<std::string> T::*, std::array<std::string, 2> T::*, std::array<double, 2> T::*,
                  Vector T::*, Extents<T>, Choice<T>, Custom<T>, Part<T>>;
 
-/// What a value must be beside what its type says.
+/// What a value must satisfy besides its type.
 enum class Rule {
   none,
   body,           // a text: the name of a body
@@ -112,7 +112,7 @@ struct Entry {
   std::vector<std::string> choices = {};
   std::vector<Geometry> only_in = {};       // empty: in every geometry
   std::array<const char*, 4> unit_in = {};  // SI, by geometry, where it differs
-  bool (*when)(const T&) = nullptr;         // where it means nothing, it is not written
+  bool (*when)(const T&) = nullptr;         // where it does not apply, it is not written
 };
 
 template <class T>

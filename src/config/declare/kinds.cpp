@@ -18,7 +18,7 @@ const KindName* find_kind(const Node& node, const char* noun, const Key& kind_ke
         fmt::format("e.g. kind = {}, one of: {}", kind_key.example, fmt::join(kind_key.choices, ", ")));
     return nullptr;
   }
-  // The kind alone first: it says which other keys there may be.
+  // The kind alone first: it decides which other keys there may be.
   Node only_kind = node;
   only_kind.children = {*kind_node};
   if (!read_record(only_kind, {&kind_key, 1}, in.out).good("kind")) return nullptr;

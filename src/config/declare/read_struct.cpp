@@ -21,7 +21,7 @@ bool check_coordinate(const TableReading& reading, const std::string& name, std:
   if (axis == in.axes.end()) {
     if (record.has(name))
       reading.refuse(name,
-                     fmt::format("'{}' in [{}] is no coordinate of a case with geometry \"{}\"", name,
+                     fmt::format("'{}' in [{}] is not a coordinate of a case with geometry \"{}\"", name,
                                  node.path, name_of(in.geometry)),
                      fmt::format("its coordinates are {}", fmt::join(in.axes, ", ")));
     return false;
@@ -37,7 +37,7 @@ bool check_geometry(const TableReading& reading, const Key& key) {
   if (reading.has(key.name))
     reading.refuse(
         key.name,
-        fmt::format("'{}' means nothing for geometry \"{}\"", key.name, name_of(reading.in.geometry)),
+        fmt::format("'{}' does not apply to geometry \"{}\"", key.name, name_of(reading.in.geometry)),
         "it exists in: " + names_of(key.only_in));
   return false;
 }

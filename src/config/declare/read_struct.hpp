@@ -23,13 +23,13 @@ void adapt(Key& key, Rule rule, const char* unit, const CaseReading& in);
 /// @param d its place among the axes. @return whether it is one of them.
 bool check_coordinate(const TableReading& reading, const std::string& name, std::size_t& d);
 
-/// Reports a key that means nothing in this geometry. @return whether it means something.
+/// Reports a key that does not apply in this geometry. @return whether it applies.
 bool check_geometry(const TableReading& reading, const Key& key);
 
 /// Checks a vector by its rule. @return it, of length 1 where it is a direction.
 Vector checked(const TableReading& reading, const std::string& name, Rule rule, const Vector& v);
 
-/// Puts what a table says of one key into its member; what is wrong or not there leaves the default.
+/// Puts the value of one key of a table into its member; a wrong or missing one leaves the default.
 template <class T>
 void take(const TableReading& reading, const Entry<T>& e, const Key& key, T& value) {
   const Record& r = reading.record;

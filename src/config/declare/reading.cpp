@@ -49,7 +49,7 @@ std::array<std::string, 2> read_pair(const std::string& pair, const Place& place
   for (std::size_t i = 0; i < names.size(); ++i)
     for (std::size_t j = i + 1; j < names.size(); ++j) all.push_back(names[i] + '-' + names[j]);
   const std::string near = did_you_mean(pair, all);
-  out.error(place, fmt::format("'{}' is no pair of two bodies", pair),
+  out.error(place, fmt::format("'{}' is not a pair of bodies", pair),
             !near.empty() ? near : fmt::format("the pairs are: {}", fmt::join(all, ", ")));
   return {};
 }
@@ -72,7 +72,7 @@ bool check_name(const Node& node, const char* what, Diagnostics& out) {
 
 bool check_is_table(const Node& node, const char* what, Diagnostics& out) {
   if (node.is_table()) return true;
-  out.error(node.key_place, fmt::format("'{}' is no {}, but {}", node.key, what, describe(node)),
+  out.error(node.key_place, fmt::format("'{}' must be a {}, but is {}", node.key, what, describe(node)),
             fmt::format("write [{}.NAME] above the keys of a {}", what, what));
   return false;
 }

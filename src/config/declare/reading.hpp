@@ -25,7 +25,7 @@ struct CaseReading {
   std::vector<std::string> bodies = {};  // their names
 };
 
-/// A table that has been read, for checks of what its keys say together.
+/// A table that has been read, for checks of several keys together.
 struct TableReading {
   const Node& node;
   const Record& record;

@@ -42,7 +42,7 @@ std::string written(const T& value, const Entry<T>& e, const Writing& how) {
       e.member);
 }
 
-/// Whether a key stands in the resolved case: it exists here, and means something with these values.
+/// Whether a key is written to the resolved case: it exists here, and means something with these values.
 template <class T>
 bool is_written(const T& value, const Entry<T>& e, const Writing& how) {
   if (std::holds_alternative<Part<T>>(e.member) || !exists_in(e.only_in, how.geometry)) return false;

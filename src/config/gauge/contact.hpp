@@ -19,11 +19,11 @@ struct ContactGauge {
   static constexpr const char* kind = "contact";
   static constexpr const char* doc =
       "The contact of two bodies. With a radius, force and work are integrated over time from the last stage "
-      "of each step, which stands in its middle; without, impulse and work are what was exchanged, to the "
+      "of each step, which represents its middle; without, impulse and work are what was exchanged, to the "
       "last bit.";
   static Entries<ContactGauge> keys() {
-    Entry<ContactGauge> at =
-        place_key("at", &ContactGauge::at, "the middle of what counts; without it all of the contact");
+    Entry<ContactGauge> at = place_key("at", &ContactGauge::at,
+                                       "the centre of the part that counts; without it the whole contact");
     at.required = false;
     at.when = [](const ContactGauge& g) { return g.radius > 0; };
     return {{.name = "pair",

@@ -15,17 +15,17 @@ struct PeakStressGauge {
 
   static constexpr const char* kind = "peak-stress";
   static constexpr const char* doc =
-      "The largest compressive stress over the distance from its begin, of points on a line that ride with "
-      "the matter. The file is written anew at each flush.";
+      "The largest compressive stress that material points on a line have met, over the distance from its "
+      "start. The file is rewritten at each flush.";
   static Entries<PeakStressGauge> keys() {
     return {body_key("body", &PeakStressGauge::body, watched_body),
-            place_key("at", &PeakStressGauge::at, "begin of the line"),
+            place_key("at", &PeakStressGauge::at, "start of the line"),
             place_key("to", &PeakStressGauge::to, "end of the line"),
             {.name = "stations",
              .member = &PeakStressGauge::stations,
              .least = 1,
              .most = 10000,
-             .doc = "points on the line that ride with the matter",
+             .doc = "number of material points on the line",
              .example = "100"}};
   }
   void check(const TableReading& reading) const {

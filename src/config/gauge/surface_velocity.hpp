@@ -13,7 +13,8 @@ struct SurfaceVelocityGauge {
   double every = 0;  // s; 0: every step
 
   static constexpr const char* kind = "surface-velocity";
-  static constexpr const char* doc = "The velocity of a point of a surface, which rides along its normal.";
+  static constexpr const char* doc =
+      "The velocity of a point of a surface; the point moves along the normal of the surface.";
   static constexpr bool on_surface = true;  // where `at` must lie at the start
   static Entries<SurfaceVelocityGauge> keys() {
     return {body_key("body", &SurfaceVelocityGauge::body, watched_body),

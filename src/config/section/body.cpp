@@ -78,7 +78,7 @@ Custom<Body> custom_shape() {
 void check_material(const Body& body, const TableReading& reading) {
   if (body.rigid && reading.has("material"))
     reading.refuse("material", fmt::format("rigid body '{}' has a material", body.name),
-                   "take out 'material' or 'rigid'");
+                   "remove 'material' or 'rigid'");
   if (!body.rigid && !reading.has("material"))
     reading.in.out.error(reading.node.key_place,
                          fmt::format("'material' is missing in [{}]", reading.node.path),
@@ -93,7 +93,7 @@ void check_free_body(const Body& body, const TableReading& reading) {
                      "a deformable body has the mass of its material; or add rigid = true");
   for (const char* key : {"inertia", "centre-of-mass"})
     if (body.rigid && reading.has(key) && !reading.has("mass"))
-      reading.refuse(key, fmt::format("'{}' without 'mass' means nothing", key),
+      reading.refuse(key, fmt::format("'{}' needs 'mass'", key),
                      "a rigid body without a mass keeps its velocity");
   if (!body.rigid || !reading.has("mass") || !reading.has("inertia")) return;
   for (const double moment : body.inertia)
@@ -106,9 +106,9 @@ void check_free_body(const Body& body, const TableReading& reading) {
 void check_spin(const Body& body, const TableReading& reading) {
   if (body.mass > 0 && reading.has("spin-centre"))
     reading.refuse("spin-centre", "a free rigid body turns about its centre of mass",
-                   "take out 'spin-centre', and give 'centre-of-mass'");
+                   "remove 'spin-centre', and give 'centre-of-mass'");
   if (reading.has("spin-centre") && !reading.has("spin"))
-    reading.refuse("spin-centre", "'spin-centre' without 'spin' means nothing");
+    reading.refuse("spin-centre", "'spin-centre' needs 'spin'");
   if (reading.has("spin") && !reading.has("spin-centre") && !(body.mass > 0))
     reading.refuse("spin", "'spin' needs 'spin-centre', the point about which the body turns",
                    "e.g. spin-centre = { x = \"0 mm\", y = \"0 mm\" }");

@@ -34,8 +34,8 @@ void ContactChoice::check(const TableReading& reading) const {
   const std::string key = reading.keys.front().name;
   if (reading.has("friction") && (reading.good(key) || !reading.has(key)) && mode != Mode::friction)
     reading.refuse("friction",
-                   fmt::format("'friction' means nothing for {} = \"{}\"", key, reading.record.text(key)),
-                   fmt::format("write {} = \"friction\", or take it out", key));
+                   fmt::format("'friction' does not apply to {} = \"{}\"", key, reading.record.text(key)),
+                   fmt::format("write {} = \"friction\", or remove it", key));
   if (mode == Mode::friction && !reading.has("friction"))
     reading.wrong(key, "friction needs a coefficient", "e.g. friction = 0.3");
 }
@@ -53,7 +53,7 @@ void read_contact(const Node& node, Contact& contact, const CaseReading& in) {
     Contact::Pair p;
     p.bodies = read_pair(pair.key, pair.key_place, in.bodies, in.out);
     if (!pair.is_table()) {
-      in.out.error(pair.place, fmt::format("'{}' is no table", pair.key),
+      in.out.error(pair.place, fmt::format("'{}' is not a table", pair.key),
                    fmt::format("e.g. {} = {{ mode = \"friction\", friction = 0.3 }}", pair.key));
       continue;
     }
@@ -62,7 +62,7 @@ void read_contact(const Node& node, Contact& contact, const CaseReading& in) {
       return !p.bodies[0].empty() &&
              (q.bodies == p.bodies || q.bodies == std::array{p.bodies[1], p.bodies[0]});
     });
-    if (again) in.out.error(pair.key_place, fmt::format("the pair '{}' stands here twice", pair.key));
+    if (again) in.out.error(pair.key_place, fmt::format("the pair '{}' is given twice", pair.key));
     contact.pairs.push_back(p);
   }
 }

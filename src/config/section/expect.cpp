@@ -40,7 +40,7 @@ double read_tolerance(const Node& node, const Quantity& value, Diagnostics& out)
   }
   if (q.unit == "%" && value.unit != "%") {
     if (value.value == 0) {
-      out.error(node.place, "a percentage of the value 0 is no tolerance",
+      out.error(node.place, "a percentage of the value 0 is not a tolerance",
                 "give 'within' in the unit of the value");
     }
     return q.value * std::abs(value.value);
@@ -73,7 +73,7 @@ void read_limits(const Node& node, const Record& record, Expectation& e, Diagnos
     out.error(record.key_place("within"), fmt::format("'within' goes with 'value', not with '{}'", name));
   if (two_sided && !record.has("within"))
     out.error(node.key_place, fmt::format("'{}' has a value, but 'within' is missing", e.quantity),
-              "say how far off it may be: within = \"3 %\"");
+              "give a tolerance: within = \"3 %\"");
   if (two_sided && record.has("within") && q.ok())
     e.tolerance = read_tolerance(*record.node("within"), q, out);
 }

@@ -20,7 +20,7 @@ struct Expectation {
   Place place;
 
   static constexpr const char* doc =
-      "A result, in quotes, and what it shall be: one of value, at-most, at-least; or just true or false.";
+      "A result, in quotes, and its expected value: one of value, at-most, at-least; or just true or false.";
   static Entries<Expectation> keys();
   void check(const TableReading& reading);
 };
@@ -32,7 +32,7 @@ std::vector<Expectation> read_expectations(const Node& table, Diagnostics& out);
 /// The same of a whole file such as expected.toml: its [expect], or without one everything at its top.
 std::vector<Expectation> read_expectations(const Document& document, Diagnostics& out);
 
-/// The table [expect] again. @param file of the case: checks of another file say so.
+/// The table [expect] again. @param file of the case: checks of another file name it.
 WrittenTable write_expectations(const std::vector<Expectation>& all, const std::string& file);
 
 }  // namespace recoil::config

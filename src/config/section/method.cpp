@@ -9,7 +9,7 @@ namespace recoil::config {
 void Method::check(const TableReading& reading) const {
   if (reading.has("kappa") && scheme != "seed")
     reading.refuse("kappa", fmt::format("'kappa' has no meaning for scheme = \"{}\"", scheme),
-                   "take it out, or use scheme = \"seed\": the other schemes close gaps without a tolerance");
+                   "remove it, or use scheme = \"seed\": the other schemes close gaps without a tolerance");
 }
 
 }  // namespace recoil::config

@@ -5,7 +5,7 @@
 namespace recoil::config {
 
 Entries<Output> Output::keys() {
-  return {{.name = "fields", .member = part_of<&Output::fields>(), .doc = "pictures of the whole domain"},
+  return {{.name = "fields", .member = part_of<&Output::fields>(), .doc = "fields of the whole domain"},
           {.name = "history", .member = part_of<&Output::history>(), .doc = "sums over each body"},
           {.name = "checkpoint",
            .member = part_of<&Output::checkpoint>(),

@@ -11,9 +11,9 @@ struct FieldOutput {
   double every = 0;                    // s; 0: none but first and last
   std::vector<std::string> variables;  // names of fields to write
 
-  static constexpr const char* doc = "Pictures of the whole domain.";
+  static constexpr const char* doc = "Fields of the whole domain, for pictures and ParaView.";
   static Entries<FieldOutput> keys() {
-    return {every_key(&FieldOutput::every, "time between two pictures; 0: only the first and the last"),
+    return {every_key(&FieldOutput::every, "time between two field files; 0: only the first and the last"),
             {.name = "variables",
              .member = &FieldOutput::variables,
              .doc = "which fields; without it all",

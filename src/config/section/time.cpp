@@ -6,7 +6,7 @@ namespace recoil::config {
 
 void TimeChoice::check(const TableReading& reading) const {
   if (reading.has("fixed-dt") && reading.has("cfl"))
-    reading.refuse("fixed-dt", "'fixed-dt' and 'cfl' exclude each other", "take one of them out");
+    reading.refuse("fixed-dt", "'fixed-dt' and 'cfl' exclude each other", "remove one of them");
 }
 
 }  // namespace recoil::config

@@ -61,9 +61,9 @@ TEST(GaugeKinds, MistakesGetACure) {
   EXPECT_TRUE(has(complaints("1d", line + "to = { x = \"1 mm\" }\n"), "has no length"));
   EXPECT_TRUE(has(complaints("1d", line + "to = { x = \"30 mm\" }\n"), "outside the domain"));
   EXPECT_TRUE(
-      has(complaints("1d", line + "to = { x = \"3 mm\" }\nevery = \"1 us\"\n"), "'every' means nothing"));
+      has(complaints("1d", line + "to = { x = \"3 mm\" }\nevery = \"1 us\"\n"), "'every' does not apply"));
   EXPECT_TRUE(
-      has(complaints("1d", "kind = \"body\"\nbody = \"bar\"\nstations = 3\n"), "'stations' means nothing"));
+      has(complaints("1d", "kind = \"body\"\nbody = \"bar\"\nstations = 3\n"), "'stations' does not apply"));
 }
 
 }  // namespace

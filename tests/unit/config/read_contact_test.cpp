@@ -91,14 +91,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"[contact]\ndefault = \"frction\"\n", "frction", "friction"},
         Mistake{"[contact]\ndefault = \"friction\"\n", "friction needs a coefficient", "friction = 0.3"},
-        Mistake{"[contact]\nfriction = 0.3\n", "'friction' means nothing", "default = \"friction\""},
-        Mistake{"[contact.pairs]\nblock-flor = { mode = \"bonded\" }\n", "'block-flor' is no pair",
+        Mistake{"[contact]\nfriction = 0.3\n", "'friction' does not apply", "default = \"friction\""},
+        Mistake{"[contact.pairs]\nblock-flor = { mode = \"bonded\" }\n", "'block-flor' is not a pair",
                 "block-floor"},
-        Mistake{"[contact.pairs]\nblock-floor = \"bonded\"\n", "'block-floor' is no table",
+        Mistake{"[contact.pairs]\nblock-floor = \"bonded\"\n", "'block-floor' is not a table",
                 "mode = \"friction\""},
         Mistake{
             "[contact.pairs]\nblock-floor = { mode = \"bonded\" }\nfloor-block = { mode = \"separable\" }\n",
-            "stands here twice", ""},
+            "is given twice", ""},
         Mistake{"[body.soft]\nmaterial = \"steel/hzb\"\nmass = \"1 kg/m\"\nshape = { kind = \"disc\", radius "
                 "= \"1 "
                 "mm\", centre = { x = \"60 mm\" } }\n",

@@ -47,11 +47,11 @@ void expect_problem(const char* text, const char* unit, const char* problem, con
 TEST(Units, RefusesWhatIsNoQuantityOfItsDimension) {
   expect_problem("2 us", "m", "'2 us' has dimension [time], but 'finest' needs [length]", "mm");
   expect_problem("5", "m", "has no unit", "0.5 mm");
-  expect_problem("mm", "m", "is no quantity", "0.5 mm");
-  expect_problem("", "m", "is no quantity", "");
-  expect_problem("nan mm", "m", "is no quantity", "");
-  expect_problem("inf mm", "m", "is no quantity", "");
-  expect_problem("1e999 mm", "m", "is no quantity", "");
+  expect_problem("mm", "m", "is not a quantity", "0.5 mm");
+  expect_problem("", "m", "is not a quantity", "");
+  expect_problem("nan mm", "m", "is not a quantity", "");
+  expect_problem("inf mm", "m", "is not a quantity", "");
+  expect_problem("1e999 mm", "m", "is not a quantity", "");
   expect_problem("0,05 mm", "m", "decimal comma", "point");
   expect_problem("5 mm 3", "m", "unknown unit", "");
   expect_problem("5 m @ 3", "m", "unknown unit", "");
