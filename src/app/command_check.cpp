@@ -61,15 +61,15 @@ std::string duration(double seconds) {
   return seconds < 6000 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
-/// What is to be known of a scheme other than the default.
+/// A note on a scheme other than the default.
 std::string scheme_note(const config::Case& c) {
   if (c.method.scheme == "conservative") return {};
   std::string note = fmt::format(
-      "scheme\n  {}: mass, momentum and energy are not kept at surfaces; the run reports what is made or "
-      "lost\n",
+      "scheme\n  {}: mass, momentum and energy are not conserved at surfaces; the run reports the "
+      "errors\n",
       c.method.scheme);
   if (c.method.scheme == "seed")
-    note += fmt::format("  bodies meet when {:.3g} mm are left between them (kappa = {:.3g} cells)\n",
+    note += fmt::format("  bodies touch when the gap is {:.3g} mm (kappa = {:.3g} cells)\n",
                         c.method.kappa * c.mesh.finest * 1e3, c.method.kappa);
   return note;
 }
@@ -77,9 +77,12 @@ std::string scheme_note(const config::Case& c) {
 void print_report(const Report& r) {
   const config::Case& c = r.loaded.contents;
   if (!r.loaded.found.list().empty()) fmt::print(stderr, "{}", r.loaded.found.text());
-  fmt::print("{}: {}\n", r.file,
-             r.good() ? c.title.empty() ? "no mistakes found" : c.title : "not fit to run");
-  if (!r.good()) return;
+  if (!r.good()) {
+    const int errors = r.loaded.found.error_count();
+    fmt::print("{}: {} error{}; it cannot be run\n", r.file, errors, errors == 1 ? "" : "s");
+    return;
+  }
+  fmt::print("{}: {}\n", r.file, c.title.empty() ? "no errors found" : c.title);
   if (!r.predictions.empty()) fmt::print("predicted (one-dimensional waves, no rate dependence)\n");
   for (const PlatePrediction& p : r.predictions) fmt::print("{}", describe(p, c));
   fmt::print("{}", scheme_note(c));

@@ -44,10 +44,11 @@ struct Commands {
 
   Commands() {
     top.require_subcommand(1);
-    top.set_version_flag("--version", version_text(), "print the version and leave");
-    top.set_help_flag("-h,--help", "print this help and leave");
+    top.set_version_flag("--version", version_text(), "print the version and exit");
+    top.set_help_flag("-h,--help", "print this help and exit");
     top.footer(
-        "Exit codes: 0 finished, 1 our bug, 2 bad input or usage, 3 numerical failure, 4 environment,\n"
+        "Exit codes: 0 finished, 1 internal error, 2 bad input or usage, 3 numerical failure, 4 environment,
+"
         "5 finished but an expectation failed, 75 stopped and can be resumed. `recoil COMMAND --help` tells "
         "more.");
     add_run();
@@ -76,9 +77,9 @@ struct Commands {
   }
 
   void add_run() {
-    CLI::App* c = command(top, "run", "compute a case", [this] { return app::run(run); });
+    CLI::App* c = command(top, "run", "run a case", [this] { return app::run(run); });
     c->add_option("case", run.file, "case file, or its folder")->required()->type_name("CASE");
-    c->add_option("-o,--output", run.folder, "folder of the results; without it runs/NAME")->type_name("DIR");
+    c->add_option("-o,--output", run.folder, "output folder (default: runs/NAME)")->type_name("DIR");
     c->add_option("-n,--ranks", run.ranks, "processes, started with mpirun")->check(CLI::PositiveNumber);
     c->add_option("-j,--threads", run.threads,
                   "threads of each process; without it 1 in 1d, else all processors")
@@ -119,7 +120,7 @@ struct Commands {
     c->add_option("case", check.files, "case files, or their folders")->required()->type_name("CASE...");
     add_set(*c, check.overrides);
     c->add_flag("--json", check.json, "print JSON");
-    c->add_option("--png", check.png, "draw the case at the start; .svg and .pdf do as well")
+    c->add_option("--png", check.png, "draw the initial state to this file: .png, .svg or .pdf")
         ->type_name("FILE");
   }
 
@@ -131,12 +132,12 @@ struct Commands {
                   "gauge.NAME [COLUMN], history.COLUMN, or a field such as pressure; FILE may follow")
         ->required()
         ->type_name("WHAT...");
-    c->add_option("-o,--output", plot.file, "picture, .png, .svg or .pdf; without it a PNG in DIR")
+    c->add_option("-o,--output", plot.file, "output file: .png, .svg or .pdf (default: a PNG in DIR)")
         ->type_name("FILE");
     c->add_option("--reference", plot.reference, "curve to compare a gauge with")->type_name("CSV:COLUMN");
-    c->add_option("--at", plot.at, "time of the field; without it the last")->type_name("TIME");
+    c->add_option("--at", plot.at, "time of the field (default: the last)")->type_name("TIME");
     c->add_option("--slice", plot.slice, "plane of a 3d field")->type_name("z=PLACE");
-    c->add_option("--with", plot.others, "another run whose same gauge is drawn, too; may be repeated")
+    c->add_option("--with", plot.others, "another run to draw the same gauge of; may be repeated")
         ->type_name("DIR")
         ->expected(1)
         ->take_all();
@@ -145,7 +146,7 @@ struct Commands {
     c->add_option("--outline", plot.outline,
                   "outline to draw over a field: a table of time and two coordinates")
         ->type_name("CSV");
-    c->add_flag("--xt", plot.over_time, "a field of a 1d run over place and time (x-t diagram)");
+    c->add_flag("--xt", plot.over_time, "x-t diagram of a field of a 1d run");
     c->add_option("--along", plot.along, "a field along a line, as a curve: 0mm,1mm:9mm,1mm")
         ->type_name("X0,Y0:X1,Y1");
     add_look(*c);
@@ -153,52 +154,54 @@ struct Commands {
 
   void add_look(CLI::App& c) {
     c.add_option("--min", plot.lowest,
-                 "lower end of the colours, or of a curve's axis; in its unit, or with one")
+                 "lower end of the colour scale or of a curve's axis, in its unit or with a unit")
         ->type_name("VALUE");
-    c.add_option("--max", plot.highest, "upper end of the colours, or of a curve's axis")->type_name("VALUE");
-    c.add_flag("--log", plot.log, "logarithmic colours, or axis of a curve");
-    c.add_option("--width", plot.width, "width of the picture in pixels; of a field the most that it takes")
+    c.add_option("--max", plot.highest, "upper end of the colour scale or of a curve's axis")
+        ->type_name("VALUE");
+    c.add_flag("--log", plot.log, "logarithmic colour scale or axis");
+    c.add_option("--width", plot.width, "width of the picture in pixels; of a field its upper limit")
         ->check(CLI::Range(300, 10000));
-    c.add_option("--height", plot.height, "height, likewise")->check(CLI::Range(200, 10000));
+    c.add_option("--height", plot.height, "height of the picture in pixels, likewise")
+        ->check(CLI::Range(200, 10000));
     c.add_option("--title", plot.title, "heading")->type_name("TEXT");
   }
 
   void add_study() {
-    CLI::App* c = command(top, "study", "compute a case on several meshes and tabulate its expectations",
+    CLI::App* c = command(top, "study", "run a case on several meshes and tabulate its expectations",
                           [this] { return app::study(study); });
     c->add_option("case", study.file, "case file, or its folder")->required()->type_name("CASE");
-    c->add_option("--mesh", study.sizes, "sizes of cells: 0.2mm,0.1mm,0.05mm")->required()->delimiter(',');
+    c->add_option("--mesh", study.sizes, "cell sizes: 0.2mm,0.1mm,0.05mm")->required()->delimiter(',');
     c->add_option("--offset", study.offsets, "shifts of the mesh in cells: 0,0.2,0.4")->delimiter(',');
     add_set(*c, study.overrides);
-    c->add_option("-o,--output", study.folder, "folder of the results")->type_name("DIR");
+    c->add_option("-o,--output", study.folder, "output folder")->type_name("DIR");
   }
 
   void add_verify() {
     CLI::App* c = command(top, "verify", "run shipped cases and compare them with their references",
                           [this] { return app::verify(verify); });
     c->add_option("case", verify.cases,
-                  "names of shipped cases, or cases of your own; without it all shipped ones")
+                  "names of shipped cases, or case files of your own (default: all shipped cases)")
         ->type_name("CASE...");
     add_set(*c, verify.overrides);
-    c->add_flag("--quick", verify.quick, "only the cheapest cases: some minutes");
-    c->add_flag("--list", verify.list, "name the cases, with the time that they take, and leave");
-    c->add_option("-j,--jobs", verify.jobs, "runs at a time; without it one for each processor")
+    c->add_flag("--quick", verify.quick, "only the cheapest cases: a few minutes");
+    c->add_flag("--list", verify.list, "list the cases and the time each takes, and exit");
+    c->add_option("-j,--jobs", verify.jobs, "number of runs at a time (default: one per processor)")
         ->check(CLI::PositiveNumber);
-    c->add_flag("--reuse", verify.reuse, "take finished runs of exactly the same case that are there");
-    c->add_option("--write", verify.write, "write the table to this file, too")->type_name("FILE.md");
-    c->add_option("-o,--output", verify.folder, "folder of the results; without it runs/verify")
-        ->type_name("DIR");
+    c->add_flag("--reuse", verify.reuse, "reuse finished runs of exactly the same case");
+    c->add_option("--write", verify.write, "also write the table to this file")->type_name("FILE.md");
+    c->add_option("-o,--output", verify.folder, "output folder (default: runs/verify)")->type_name("DIR");
   }
 
   void add_rest() {
     CLI::App* m = top.add_subcommand("material", "the library of materials");
     m->require_subcommand(1);
-    command(*m, "list", "names and titles", [] { return list_library(); });
-    CLI::App* show = command(*m, "show", "one material in full", [this] { return show_material(material); });
+    command(*m, "list", "list names and titles", [] { return list_library(); });
+    CLI::App* show =
+        command(*m, "show", "print one material in full", [this] { return show_material(material); });
     show->add_option("name", material, "e.g. copper/seed")->required()->type_name("NAME");
     CLI::App* s = command(top, "schema", "print the JSON schema of a case file, for editors",
                           [this] { return print_schema(markdown); });
-    s->add_flag("--markdown", markdown, "the reference page of the case file instead");
+    s->add_flag("--markdown", markdown, "print the reference page of the case file instead");
     CLI::App* e =
         command(top, "explain", "explain a key of a case file", [this] { return app::explain(key); });
     e->add_option("key", key, "e.g. mesh.finest, mesh or finest")->required()->type_name("KEY");
@@ -291,12 +294,12 @@ int report_errors(const std::function<int()>& body) {
     return fail(exit_environment, e.what());
   } catch (const std::bad_alloc&) {
     return fail(exit_environment,
-                "not enough memory\n   = help: larger cells (mesh.finest) need less; "
+                "out of memory\n   = help: larger cells (mesh.finest) need less; "
                 "`recoil check` estimates how much");
   } catch (const std::exception& e) {
     return fail(exit_our_bug, std::string(e.what()) +
-                                  "\n   = help: this is a mistake of recoil, not yours; please "
-                                  "report it with the case file");
+                                  "\n   = help: this is a bug in recoil, not in your input; please "
+                                  "report it together with the case file");
   }
 }
 

@@ -15,7 +15,7 @@ enum ExitCode : int {
   exit_stopped = 75  // as asked, and `recoil resume` goes on
 };
 
-/// The whole program: reads the command line, does what it asks for, returns the exit code. Throws nothing.
+/// The whole program: reads the command line, carries it out, returns the exit code. Throws nothing.
 int command_line(int argc, const char* const* argv);
 
 /// Calls `body`; what it throws is printed and becomes its exit code. The one place where errors get theirs.

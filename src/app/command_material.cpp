@@ -24,7 +24,7 @@ Material library_material(const std::string& name) {
   for (const auto& d : out.list())
     if (d.place.line > 0) throw InputError(out.text());  // the file exists, and is wrong
   throw InputError(fmt::format("there is no material '{}'\n   = help: {}", name,
-                               near.empty() ? "`recoil material list` shows all" : near));
+                               near.empty() ? "`recoil material list` lists all" : near));
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ Series curve(const CsvTable& table, const std::string& column, const std::string
 Series reference_curve(const std::string& text, const std::string& over, const std::string& unit) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos)
-    throw InputError(fmt::format("'{}' names no column\n   = help: write --reference FILE.csv:COLUMN", text));
+    throw InputError(
+        fmt::format("'{}' does not name a column\n   = help: write --reference FILE.csv:COLUMN", text));
   Series s = curve(read_csv(text.substr(0, colon)), text.substr(colon + 1), over, unit, "reference");
   s.style = kReferenceStyle;
   return s;
@@ -68,7 +69,7 @@ struct Record {
 int plot_record(const PlotOptions& o, const Record& record) {
   const CsvTable table = read_csv(fs::path(o.folder) / record.what);
   if (table.columns.size() < 2)
-    throw InputError(fmt::format("{} holds no column but the time", table.path.string()));
+    throw InputError(fmt::format("{} has no column besides the time", table.path.string()));
   const std::string column = table.columns[record.column.empty() ? 1 : table.index(record.column)];
   const std::string unit = table.unit(column), over = table.unit(table.columns.front());
   LineChart chart;
@@ -83,7 +84,7 @@ int plot_record(const PlotOptions& o, const Record& record) {
   for (const std::string& other : o.others)
     chart.series.push_back(
         curve(read_csv(fs::path(other) / record.what), column, over, unit, label_of(other, o, record.name)));
-  if (chart.series.size() == 1) chart.series.front().label.clear();  // the title says it
+  if (chart.series.size() == 1) chart.series.front().label.clear();  // it is in the title
   // A reference may go on for longer than the run.
   const std::vector<double>& span = chart.series[o.reference.empty() ? 0 : 1].x;
   if (!o.reference.empty() && !span.empty()) chart.x_range = {span.front(), span.back()};
@@ -100,7 +101,7 @@ int plot_gauge(const PlotOptions& o, const std::string& name) {
   return plot_record(o, {file, name, o.what.size() > 1 ? o.what[1] : ""});
 }
 
-/// Takes the file off the words, if one stands there: behind a gauge and its column, or behind anything else.
+/// Takes the file off the words, if one is given: after a gauge and its column, or behind anything else.
 void take_file(PlotOptions& o, bool is_gauge) {
   if (o.what.size() < 2) return;
   const std::string suffix = fs::path(o.what.back()).extension().string();
@@ -111,7 +112,7 @@ void take_file(PlotOptions& o, bool is_gauge) {
   o.file = o.what.back();
   o.what.pop_back();
   if (o.what.size() > (is_gauge ? 2U : 1U))
-    throw InputError(fmt::format("'{}' is one word too many", o.what.back()));
+    throw InputError(fmt::format("unexpected argument '{}'", o.what.back()));
 }
 
 }  // namespace

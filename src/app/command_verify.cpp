@@ -65,7 +65,7 @@ Work work_of(const std::string& word, const std::vector<std::string>& overrides 
   const fs::path file = find_case_file(word);
   if (loaded.contents.expect.empty())
     throw InputError(
-        fmt::format("{} expects nothing, so that there is nothing to verify\n   = help: write an "
+        fmt::format("{} has no expectations to verify\n   = help: write an "
                     "expected.toml beside it",
                     file.string()));
   const double seconds =
@@ -87,8 +87,7 @@ std::vector<Work> cheapest(std::vector<Work> all) {
 
 std::vector<Work> choose(const VerifyOptions& o) {
   if (o.quick && !o.cases.empty())
-    throw InputError(
-        "--quick chooses the cases itself\n   = help: leave out --quick, or the names of the cases");
+    throw InputError("--quick chooses the cases itself\n   = help: omit --quick, or the names of the cases");
   std::vector<Work> all;
   for (const std::string& word : o.cases.empty() ? shipped_names() : o.cases)
     all.push_back(work_of(word, o.overrides));
@@ -189,7 +188,7 @@ int verify(const VerifyOptions& o) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
-    throw EnvironmentError(fmt::format("the folder {} cannot be made: {}", folder.string(), error.message()));
+    throw EnvironmentError(fmt::format("cannot create the folder {}: {}", folder.string(), error.message()));
   const std::vector<VerifiedCase> results = run_all(work, folder, o);
   const std::string text = verify_markdown(results, o.overrides);
   write_atomically(folder / "verify.md", text);

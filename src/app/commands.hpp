@@ -78,7 +78,7 @@ struct VerifyOptions {
   std::vector<std::string> cases;      // none: all shipped ones
   std::vector<std::string> overrides;  // PATH=VALUE, in every case
   bool quick = false;                  // only the cheapest
-  bool list = false;                   // name the cases and leave
+  bool list = false;                   // list the cases and exit
   bool reuse = false;                  // take results of the same case that are there
   int jobs = 0;                        // runs at a time; 0: as many as there are processors
   std::string write;                   // the table goes here, too

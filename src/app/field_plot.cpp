@@ -43,7 +43,7 @@ config::Case case_of(const fs::path& run) {
   config::Document document;
   config::Diagnostics out;
   const fs::path resolved = run / "case.resolved.toml";
-  if (!fs::exists(resolved)) throw InputError(fmt::format("{} is no folder of a run", run.string()));
+  if (!fs::exists(resolved)) throw InputError(fmt::format("{} is not the folder of a run", run.string()));
   config::Case c = config::read_case(resolved.string(), document, out);
   out.throw_if_errors();
   return c;
@@ -65,7 +65,7 @@ std::pair<Point2, Point2> read_line(const std::string& text) {
   const auto place = [&text](const std::string& part) {
     const std::size_t comma = part.find(',');
     if (comma == std::string::npos)
-      throw InputError(fmt::format("'{}' is no line\n   = help: --along 0mm,1mm:9mm,1mm", text));
+      throw InputError(fmt::format("'{}' is not a line\n   = help: --along 0mm,1mm:9mm,1mm", text));
     return Point2{quantity_option(part.substr(0, comma), "m", "--along"),
                   quantity_option(part.substr(comma + 1), "m", "--along")};
   };
@@ -124,7 +124,7 @@ LineChart line_out(const FieldPlane& plane, const std::string& text, const std::
 void choose_colours(FieldPicture& picture, bool signed_values, const PlotOptions& o) {
   if (!picture.categories.empty()) {
     if (o.log || !o.lowest.empty() || !o.highest.empty())
-      throw InputError("a field of names has no --min, --max or --log\n   = help: leave them out");
+      throw InputError("--min, --max and --log do not apply to a field of names\n   = help: omit them");
     return;
   }
   Range values;
@@ -159,8 +159,8 @@ std::array<Span, 2> read_window(const std::string& text, const std::vector<std::
     const auto axis = std::find(axes.begin(), axes.end(), part.substr(0, equals)) - axes.begin();
     if (equals == std::string::npos || dots == std::string::npos || axis > 1)
       throw InputError(
-          fmt::format("'{}' is no part of a window\n   = help: --window {}=0mm..9mm,{}=0mm..12mm", part,
-                      axes[0], axes[1]));
+          fmt::format("'{}' is not an interval of a window\n   = help: --window {}=0mm..9mm,{}=0mm..12mm",
+                      part, axes[0], axes[1]));
     window[axis] = {quantity_option(part.substr(equals + 1, dots - equals - 1), "m", "--window"),
                     quantity_option(part.substr(dots + 2), "m", "--window")};
     at = end + 1;
@@ -178,7 +178,7 @@ void crop(PlaneArray& a, const std::array<Span, 2>& window) {
             j0 = first(a.y0, a.dy, std::max(window[1].from, a.y0), a.ny),
             j1 = first(a.y0, a.dy, std::min(window[1].to, a.y0 + a.ny * a.dy), a.ny);
   if (i1 <= i0 || j1 <= j0)
-    throw InputError("the window lies beside the field\n   = help: choose another --window");
+    throw InputError("the window lies outside the field\n   = help: choose another --window");
   PlaneArray b{i1 - i0, j1 - j0, a.x0 + i0 * a.dx, a.y0 + j0 * a.dy, a.dx, a.dy, {}};
   for (int j = j0; j < j1; ++j)
     for (int i = i0; i < i1; ++i) b.values.push_back(a.at(i, j));
@@ -190,7 +190,7 @@ Outline read_outline(const std::string& file, double t) {
   const CsvTable table = read_csv(file);
   if (table.columns.size() < 3)
     throw InputError(
-        fmt::format("{} is no outline\n   = help: its columns are a time and two coordinates", file));
+        fmt::format("{} is not an outline\n   = help: its columns are a time and two coordinates", file));
   const auto column = [&](std::size_t k) {
     std::vector<double> v = table.numbers(table.columns[k]);
     const std::string unit = table.unit(table.columns[k]);
@@ -244,7 +244,7 @@ int plot_field(const PlotOptions& o) {
   const bool is_line = c.domain.geometry == config::Geometry::line;
   if (is_line && !(o.window.empty() && o.outline.empty() && o.along.empty()))
     throw InputError(
-        "--window, --outline and --along need a field in the plane\n   = help: leave them out for a 1d run");
+        "--window, --outline and --along need a field in the plane\n   = help: omit them for a 1d run");
   const std::string note = fmt::format("{:.4g} µs", chosen.time_s * 1e6);
   const std::string file = fmt::format("{}_{:.4g}us", name, chosen.time_s * 1e6);
   if (is_line) return save_chart(o, curve_of(plane, c.title, note), file);
@@ -264,7 +264,7 @@ int plot_field(const PlotOptions& o) {
 int plot_field_over_time(const PlotOptions& o) {
   const config::Case c = case_of(o.folder);
   if (c.domain.geometry != config::Geometry::line)
-    throw InputError("--xt needs a 1d run\n   = help: leave it out; --at chooses the time of a picture");
+    throw InputError("--xt needs a 1d run\n   = help: omit it; --at chooses the time of a picture");
   const std::vector<ChosenDump> dumps = all_dumps(o.folder);
   if (dumps.size() < 3)
     throw InputError(

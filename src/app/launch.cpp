@@ -16,7 +16,7 @@ namespace recoil::app {
 
 namespace {
 
-/// Pointers that execvp wants; valid as long as the words.
+/// Pointers for execvp; valid as long as the words.
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (std::string& w : words) pointers.push_back(w.data());
@@ -36,7 +36,7 @@ const char* rank_from_launcher() {
 std::filesystem::path program_file() {
   std::error_code error;
   const auto file = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) throw EnvironmentError("the program's own file cannot be found: " + error.message());
+  if (error) throw EnvironmentError("cannot find the program's own file: " + error.message());
   return file;
 }
 
@@ -59,8 +59,8 @@ void become_mpirun(int ranks, const std::vector<std::string>& arguments) {
   std::vector<std::string> words{"mpirun", "-q", "-n", std::to_string(ranks), program_file().string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   execvp("mpirun", pointers_to(words).data());
-  throw EnvironmentError(fmt::format(
-      "mpirun cannot be started: {}\n   = help: install Open MPI, or leave out -n", std::strerror(errno)));
+  throw EnvironmentError(
+      fmt::format("cannot start mpirun: {}\n   = help: install Open MPI, or omit -n", std::strerror(errno)));
 }
 
 int run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
@@ -69,7 +69,7 @@ int run_child(const std::vector<std::string>& arguments, const std::filesystem::
   const std::vector<char*> pointers = pointers_to(words);
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file < 0)
-    throw EnvironmentError(fmt::format("{} cannot be written: {}", log.string(), std::strerror(errno)));
+    throw EnvironmentError(fmt::format("cannot write {}: {}", log.string(), std::strerror(errno)));
   const pid_t child = fork();
   if (child == 0) {
     dup2(file, STDOUT_FILENO);
@@ -82,7 +82,7 @@ int run_child(const std::vector<std::string>& arguments, const std::filesystem::
   while (child > 0 && waitpid(child, &status, 0) < 0)
     if (errno != EINTR) break;
   if (child < 0 || !WIFEXITED(status) || WEXITSTATUS(status) == 127)
-    throw EnvironmentError(fmt::format("{} could not be run to its end; see {}", words[0], log.string()));
+    throw EnvironmentError(fmt::format("{} failed; see {}", words[0], log.string()));
   return WEXITSTATUS(status);
 }
 

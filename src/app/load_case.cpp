@@ -43,7 +43,7 @@ void add_expected_file(LoadedCase& loaded) {
 fs::path find_case_file(const std::string& word) {
   if (fs::is_directory(word)) {
     if (fs::exists(fs::path(word) / "case.toml")) return fs::path(word) / "case.toml";
-    throw InputError(fmt::format("the folder {} holds no case.toml", word));
+    throw InputError(fmt::format("the folder {} has no case.toml", word));
   }
   if (fs::exists(word)) return word;
   const fs::path shipped = data_folder() / "cases" / word / "case.toml";

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What stands in the brackets at the end of a label.
+/// The text in brackets at the end of a label.
 std::string unit_in(const std::string& label) {
   const std::size_t open = label.rfind('[');
   return open == std::string::npos || !label.ends_with(']') ? "1"
@@ -28,7 +28,7 @@ std::optional<double> limit(const std::string& text, const std::string& unit, co
   if (text.empty()) return std::nullopt;
   if (const config::Quantity plain = config::parse_quantity(text, "1", option); plain.ok())
     return plain.value;
-  if (unit == "dx") throw InputError(fmt::format("{} takes a number of cells here, not '{}'", option, text));
+  if (unit == "dx") throw InputError(fmt::format("{} is a number of cells here, not '{}'", option, text));
   return quantity_option(text, unit.c_str(), option);
 }
 
@@ -48,7 +48,7 @@ Limits limits_of(const PlotOptions& o, const std::string& label) {
   for (const auto& end : {limits.lowest, limits.highest})
     if (o.log && end && !(*end > 0))
       throw InputError(
-          "a logarithm needs positive ends\n   = help: leave out --log, or give a --min above 0");
+          "a logarithmic scale needs positive limits\n   = help: omit --log, or give a --min above 0");
   return limits;
 }
 
@@ -56,7 +56,7 @@ std::optional<std::pair<double, double>> range_of(const PlotOptions& o, const st
                                                   double lowest_value, double highest_value) {
   const Limits limits = limits_of(o, label);
   if (o.log && !(highest_value > 0))
-    throw InputError("there is no positive value for --log\n   = help: leave it out");
+    throw InputError("--log needs positive values, and there are none\n   = help: omit it");
   if (!limits.lowest && !limits.highest) return std::nullopt;
   const double highest = limits.highest.value_or(highest_value);
   if (o.log) lowest_value = std::max(lowest_value, 1e-6 * highest);

@@ -31,7 +31,7 @@ std::optional<std::pair<double, double>> range_of(const PlotOptions& options, co
 /// without suffix in the folder of the run, where the options name none. @returns the exit code.
 int save_chart(const PlotOptions& options, LineChart chart, const std::string& name);
 
-/// Writes the file and says so. @param name as in save_chart. @returns the exit code.
+/// Writes the file and prints its name. @param name as in save_chart. @returns the exit code.
 int save_picture(const PlotOptions& options, const Canvas& canvas, const std::string& name);
 
 }  // namespace recoil::app

@@ -22,7 +22,7 @@ struct Progress {
   double cells = 0;  // with matter
 };
 
-/// Prints what a run has to say, to the terminal and to run.log. On processes that are silent it does
+/// Prints the messages of a run to the terminal and to run.log. On processes that are silent it does
 /// nothing.
 class Reporter {
  public:

@@ -91,7 +91,7 @@ std::vector<StudyRow> rows_of(const StudyTable& table) {
 std::string study_markdown(const StudyTable& table) {
   const std::vector<StudyRow> rows = rows_of(table);
   std::string text = fmt::format("# {}\n\n", table.title);
-  if (rows.empty()) return text + "The case expects no numbers, so that there is nothing to tabulate.\n";
+  if (rows.empty()) return text + "The case has no expected numbers to tabulate.\n";
   text +=
       "Mean over the shifts of the mesh ± half their range, and in brackets the mean error against the "
       "reference. "

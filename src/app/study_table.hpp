@@ -35,9 +35,9 @@ struct StudyRow {
   std::vector<double> spread;  // half of largest minus smallest over the offsets
   std::vector<double> error;   // mean of |value - reference| over the offsets; where the quantity is an error
                                // by itself (an upper limit is expected) its mean size
-  std::vector<double>
-      from_finest;  // |mean - finest mean| / |finest mean|: the error measure of the seed's eq. (27)
-  std::vector<double> order;  // of `error`, from the mesh before; NaN for the first
+  std::vector<double> from_finest;  // |mean - finest mean| / |finest mean|: the error measure of the
+                                    // contact-separation paper, eq. (27)
+  std::vector<double> order;        // of `error`, from the mesh before; NaN for the first
 };
 
 /// Balances have no order: they are round-off on any mesh. Nor have errors below 1e-10 of the reference or

@@ -127,7 +127,7 @@ VerifiedCase read_verified(const std::filesystem::path& run) {
   std::ifstream file(run / "summary.json");
   const Json all = Json::parse(file, nullptr, false);
   if (all.is_discarded() || !all.contains("expect")) {
-    c.problem = "the run left no summary.json";
+    c.problem = "the run wrote no summary.json";
     return c;
   }
   c.version = text(all, "version");
@@ -157,8 +157,8 @@ std::string verify_markdown(const std::vector<VerifiedCase>& cases,
   const VerifyCount n = count(cases);
   std::string out =
       "# Validation\n\nWritten by `recoil verify`: each case below is run and compared with its "
-      "`expected.toml`, which says where\n"
-      "each number is from and why its tolerance is what it is. Nothing here is typed by hand.\n\n";
+      "`expected.toml`, which gives the source\n"
+      "of each number and the reason for its tolerance. Nothing here is typed by hand.\n\n";
   out += fmt::format(
       "{} cases, {} checks, {} of them against a published, exact or independently computed reference: "
       "{}.\n\n",

@@ -79,7 +79,7 @@ class Check(Program):
 
     def test_several_cases_and_a_bad_one(self):
         bad = self.case(("[mesh]", "[mush]"))
-        self.expect(recoil("check", FLYER, bad), 2, "133.7 m/s", "not fit to run")
+        self.expect(recoil("check", FLYER, bad), 2, "133.7 m/s", "it cannot be run")
 
     def test_other_schemes_say_what_they_do_not_keep(self):
         self.expect(recoil("check", FLYER, "--set", "method.scheme=seed"), 0, "not kept at surfaces", "0.025 mm are left")

@@ -95,7 +95,7 @@ class Plot(Program):
         self.assertNotEqual(whole, self.picture(out, "body"))
         self.expect(recoil("plot", out, "body", "--log"), 2, "a field of names")
         self.assertNotEqual(whole, self.picture(out, "velocity.x", "--along", "-1mm,-0.5mm:1mm,0.5mm"))
-        for line, text in (("0mm,0mm", "is no line"), ("0mm,0mm:0mm,0mm", "is a point"), ("0mm,0s:1mm,0mm", "time"),
+        for line, text in (("0mm,0mm", "is not a line"), ("0mm,0mm:0mm,0mm", "is a point"), ("0mm,0s:1mm,0mm", "time"),
                            ("50mm,50mm:60mm,50mm", "no matter along")):
             self.expect(recoil("plot", out, "velocity.x", "--along", line), 2, text)
 

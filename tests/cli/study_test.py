@@ -85,7 +85,7 @@ class Verify(Program):
 
     def test_mistakes_come_before_the_first_run(self):
         self.expect(recoil("verify", "flyer_al_cuu", "-o", self.folder / "out"), 2, "did you mean 'flyer_al_cu'")
-        self.expect(recoil("verify", self.case(), "-o", self.folder / "out"), 2, "expects nothing", "expected.toml")
+        self.expect(recoil("verify", self.case(), "-o", self.folder / "out"), 2, "has no expectations", "expected.toml")
         self.expect(recoil("verify", "--quick", "flyer_al_cu"), 2, "--quick chooses")
         self.assertFalse((self.folder / "out").exists())
 
