@@ -7,7 +7,7 @@ namespace recoil {
 
 namespace {
 
-/// The unit of sums that a declaration's word stands for, or the word.
+/// The unit of sums that a declaration's word means, or the word.
 std::string unit_of(const std::string& declared, const RunUnits& units) {
   if (declared == "mass") return units.mass;
   if (declared == "momentum") return units.momentum;

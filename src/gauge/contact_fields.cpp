@@ -14,7 +14,7 @@ namespace {
 constexpr double least_slip = 1e-5;  // of the bulk speed of sound
 constexpr double opposed = -0.7;     // cosine between normals of surfaces that face each other
 
-/// What the contacts in a cell say of the surface of body m there.
+/// Traction and state of the surface of body m in a cell, from the contacts there.
 template <int Dim>
 void look_up(const State<Dim>& state, int slot, int m, int cell, SurfaceContact& found) {
   const double limit = least_slip * bulk_sound_speed(state.bodies[m].material);

@@ -20,7 +20,7 @@
 /// gauge/kind/NAME_gauge.cpp the class of its watch and a make_watch() of its own.
 namespace recoil {
 
-/// What a gauge has to say where nothing is.
+/// The value of a gauge where there is nothing to measure.
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// What a record is made from: on rank 0, after the reduction.

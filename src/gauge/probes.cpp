@@ -11,7 +11,7 @@ namespace recoil {
 namespace {
 
 constexpr double near_reach = 2, far_reach = 4;  // dx
-constexpr double least_area = 0.02;              // of dx^(Dim-1): also a sliver of surface has a say
+constexpr double least_area = 0.02;              // of dx^(Dim-1): least weight of a sliver of surface
 
 /// This rank's blocks in which a body may have surface near x: f(slot, block of the body).
 template <int Dim, class F>

@@ -9,7 +9,7 @@
 
 namespace recoil {
 
-/// A point that rides on the surface of a body.
+/// A point that moves with the surface of a body.
 template <int Dim>
 struct SurfacePoint {
   int body = 0;

@@ -9,7 +9,7 @@
 
 namespace recoil {
 
-/// A point that rides with the matter, and the largest compressive stress that it has met.
+/// A material point, and the largest compressive stress that it has met.
 template <int Dim>
 struct Station {
   Vec<Dim> at;                                             // m

@@ -79,7 +79,7 @@ void find_extremes(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const Box<Dim
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     if (b.volume[k] >= judged_fill * grid.full_volume(i) && b.contents[k] > 0)
       out[A::strain] = std::max(out[A::strain], b.contents[C::ep * n + k] / b.contents[k]);
-    if (!(b.phi[k] < 0) || b.phi[k] < -2 * grid.dx) return;  // deeper cells know less of the surface
+    if (!(b.phi[k] < 0) || b.phi[k] < -2 * grid.dx) return;  // deeper cells give the surface less accurately
     const Vec<Dim> x = grid.centre(i);
     for (std::size_t d = 0; d < Dim; ++d) {
       const double c = x[static_cast<int>(d)];

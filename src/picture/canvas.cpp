@@ -126,7 +126,7 @@ std::string encoded_pdf(const Canvas& canvas) {
 }
 
 /// Cairo numbers surfaces from the start of the program; here they count from 1, so that a drawing gives the
-/// same bytes whatever was drawn before. No text of ours stands in the file, so every such name is Cairo's.
+/// same bytes whatever was drawn before. None of our texts is in the file, so every such name is Cairo's.
 std::string with_own_numbers(const std::string& svg) {
   static const std::regex name("([\"#](?:surface|image))([0-9]+)");
   std::map<std::string, std::size_t> numbers;
@@ -270,8 +270,9 @@ PictureFormat picture_format(const std::filesystem::path& file) {
   if (suffix == ".png") return PictureFormat::png;
   if (suffix == ".svg") return PictureFormat::svg;
   if (suffix == ".pdf") return PictureFormat::pdf;
-  throw InputError(fmt::format(
-      "error: '{}' names no format of pictures\n   = help: end it in .png, .svg or .pdf", file.string()));
+  throw InputError(
+      fmt::format("error: '{}' has no suffix of a picture format\n   = help: end it in .png, .svg or .pdf",
+                  file.string()));
 }
 
 std::string encoded(const Canvas& canvas, PictureFormat format) {

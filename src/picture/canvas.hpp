@@ -33,7 +33,7 @@ struct Stroke {
 };
 
 /// A drawing of fixed size. It is recorded as lines, text and images, and becomes pixels only where the
-/// format of a file or `rendered` asks for them.
+/// format of a file or `rendered` needs them.
 class Canvas {
  public:
   /// @throws InternalError for an empty or absurd size [pixels].

@@ -23,7 +23,7 @@ struct FieldPicture {
   std::vector<double> level_set{};
   std::vector<Outline> outlines{};    ///< drawn dark, physical coordinates
   std::vector<Outline> mesh_lines{};  ///< drawn thin and pale (edges of blocks)
-  std::string title{}, note{};        ///< heading on the left; on the right, the time say
+  std::string title{}, note{};        ///< heading on the left; on the right, e.g. the time
   std::string label{};                ///< of the colour bar, with unit: "pressure [GPa]"
   ColourMap map = ColourMap::sequential;
   std::optional<std::pair<double, double>> range{};  ///< of the colours; none: of the values
@@ -33,7 +33,7 @@ struct FieldPicture {
   bool interpolate = false;  ///< linear between cell centres; false shows each cell
   bool mirror = false;       ///< axisymmetric: draw x < 0 as the mirror image of x > 0
   bool equal_aspect = true;
-  bool y_labels = true;  ///< false where the vertical axis means nothing (1-D)
+  bool y_labels = true;  ///< false where the vertical axis has no meaning (1-D)
   std::string x_title = "x [mm]", y_title = "y [mm]";
   double x_scale = 1e3, y_scale = 1e3;     ///< from the data's unit to the one in the title
   int max_width = 1200, max_height = 900;  ///< of the whole picture [pixels]

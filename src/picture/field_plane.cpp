@@ -24,7 +24,7 @@ std::vector<std::string> stored_stresses(const RunUnits& u) {
   return {"xx", "yy", "zz", "xy", "yz", "xz"};
 }
 
-/// What a name asks for: an array, and one of its components or (-1) its magnitude.
+/// What a name means: an array, and one of its components or (-1) its magnitude.
 struct Wanted {
   std::string array, label;
   int component = 0;

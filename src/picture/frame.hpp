@@ -42,7 +42,7 @@ double left_margin(const Ticks& y_ticks);
 /// Room that labels and title of the horizontal axis take below [pixels].
 double bottom_margin();
 
-/// The heading: `title` bold on the left, `note` (the time, say) on the right, above `area`.
+/// The heading: `title` bold on the left, `note` (e.g. the time) on the right, above `area`.
 void draw_heading(Canvas& canvas, const PixelRect& area, const std::string& title, const std::string& note);
 
 }  // namespace recoil

@@ -27,7 +27,7 @@ namespace {
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr double near_surface = 2;  // dx
 
-/// What a dump says of one cell, apart from the floats that follow it: variables, then phi of all bodies.
+/// What a dump holds of one cell, apart from the floats that follow it: variables, then phi of all bodies.
 template <int Dim>
 struct CellHead {
   Index<Dim> cell{};

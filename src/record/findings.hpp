@@ -13,7 +13,7 @@
 
 namespace recoil {
 
-/// All numbers and flags that a run can be asked for, from its last sums, balances and events; gauges are
+/// All numbers and flags that an expectation can name, from its last sums, balances and events; gauges are
 /// added by the caller.
 ///   body.NAME.  mass, kinetic, internal, energy, volume, plastic-strain, and by AXIS momentum, velocity,
 ///   position, lowest, highest body.total. mass, kinetic, internal, energy, and by AXIS momentum
@@ -29,7 +29,7 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
 /// The main columns of all gauges in short.
 std::vector<GaugeSummary> summarise(const std::vector<TimeSeries>& gauges);
 
-/// Throws where an expectation asks for something that this run cannot know, before time is spent on it.
+/// Throws where an expectation names something that this run cannot give, before time is spent on it.
 /// @throws InputError naming file and line.
 void check_known(const Quantities& quantities, const std::vector<config::Expectation>& expect);
 

@@ -33,7 +33,7 @@ double number_of(const std::string& quantity, const std::string& text, const std
                                q.help.empty() ? "" : "\n   = help: ", q.help));
 }
 
-/// What of a column is asked for: `gauge.NAME.COLUMN.reduction@argument`.
+/// What is requested of a column: `gauge.NAME.COLUMN.reduction@argument`.
 struct Request {
   std::string quantity, gauge, column, reduction, argument;
 };
@@ -51,7 +51,8 @@ Request parse_request(const std::string& quantity) {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos)
     throw InputError(fmt::format(
-        "error: the quantity '{}' names no column\n   = help: e.g. gauge.{}.velocity@3.8us", quantity, name));
+        "error: the quantity '{}' does not name a column\n   = help: e.g. gauge.{}.velocity@3.8us", quantity,
+        name));
   r.gauge = name.substr(0, dot);
   r.column = name.substr(dot + 1);
   const std::size_t last = r.column.rfind('.');
@@ -72,7 +73,7 @@ Request parse_request(const std::string& quantity) {
   const bool either = r.reduction == "max" || r.reduction == "min";
   if (!either && bare != r.argument.empty())
     throw InputError(fmt::format("error: the quantity '{}': '{}' {}", quantity, r.reduction,
-                                 bare ? "takes nothing behind '@'" : "needs something behind '@'"));
+                                 bare ? "takes nothing after '@'" : "needs an argument after '@'"));
   return r;
 }
 
@@ -85,7 +86,7 @@ Window parse_window(const Request& r, const std::string& text, const SeriesColum
   const std::size_t dots = text.find("..");
   const std::string unit = config::si_unit_of(over.unit);
   if (dots == std::string::npos)
-    throw InputError(fmt::format("error: the quantity '{}': '{}' is no span of {}\n   = help: e.g. {}",
+    throw InputError(fmt::format("error: the quantity '{}': '{}' is not a span of {}\n   = help: e.g. {}",
                                  r.quantity, text, over.name, unit == "s" ? "0.2us..0.5us" : "2mm..5mm"));
   const Window w{number_of(r.quantity, text.substr(0, dots), unit),
                  number_of(r.quantity, text.substr(dots + 2), unit)};
@@ -98,7 +99,7 @@ double size_of(const CsvTable& table, const std::string& column) {
   const std::string unit = table.unit(column);
   if (unit.empty())
     throw InputError(
-        fmt::format("error: the column '{}' of '{}' names no unit\n   = help: write it like `time [us]`",
+        fmt::format("error: the column '{}' of '{}' has no unit\n   = help: write it like `time [us]`",
                     column, table.path.string()));
   return config::unit_size(unit);
 }
@@ -108,7 +109,7 @@ Curve read_reference(const Quantities& q, const Request& r, const std::string& t
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos || colon == 0)
     throw InputError(
-        fmt::format("error: the quantity '{}' names no reference\n"
+        fmt::format("error: the quantity '{}' does not name a reference\n"
                     "   = help: e.g. .error@3us..5us:reference.csv:velocity",
                     r.quantity));
   const CsvTable table = read_csv(q.folder / text.substr(0, colon));
@@ -118,7 +119,7 @@ Curve read_reference(const Quantities& q, const Request& r, const std::string& t
   for (double& t : curve.t) t *= time;
   for (double& y : curve.y) y *= value;
   if (!std::is_sorted(curve.t.begin(), curve.t.end()))
-    throw InputError(fmt::format("error: the times in '{}' do not rise", table.path.string()));
+    throw InputError(fmt::format("error: the times in '{}' do not increase", table.path.string()));
   return curve;
 }
 
@@ -183,8 +184,7 @@ Measured measure(const Quantities& q, const std::string& name, bool as_flag) {
   m.is_flag = as_flag;
   if (as_flag) {
     const auto found = q.flags.find(name);
-    if (found == q.flags.end())
-      unknown(name, "there is nothing of this name that is true or false", name, keys_of(q.flags));
+    if (found == q.flags.end()) unknown(name, "there is no flag of this name", name, keys_of(q.flags));
     m.flag = found->second;
     m.value = m.flag ? 1 : 0;
     return m;

@@ -36,12 +36,12 @@ struct Quantities {
 struct Measured {
   double value = 0;
   bool is_flag = false, flag = false;
-  std::string problem;  ///< why there is no value, for people; empty: there is one
+  std::string problem;  ///< why there is no value, in words; empty: there is one
 };
 
 /// Looks a quantity up. Pairs may be named in either order.
-/// @throws InputError for a name that this run cannot know (with the nearest ones) or a reference that cannot
-/// be read.
+/// @throws InputError for a name that this run does not have (with the nearest ones) or a reference that
+/// cannot be read.
 Measured measure(const Quantities& quantities, const std::string& name, bool as_flag = false);
 
 /// One expectation and what came out.

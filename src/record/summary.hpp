@@ -13,7 +13,7 @@
 
 namespace recoil {
 
-/// What the recorder cannot know itself.
+/// What the recorder is told.
 struct RunFacts {
   std::string version;
   int exit = 0;                             ///< 5 is put in its place where an expectation fails
@@ -30,7 +30,7 @@ struct GaugeSummary {
   double arrival = 0;  ///< s
 };
 
-/// What summary.json says. Complete on rank 0; elsewhere only `exit` and `passed`.
+/// The contents of summary.json. Complete on rank 0; elsewhere only `exit` and `passed`.
 struct Summary {
   std::string version, case_name;
   int exit = 0;

@@ -23,7 +23,7 @@ class PointWatch : public GaugeWatch<Dim> {
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
     const auto found = reading.sums.total(item_);
     const bool there = reading.sums.any(item_);
-    // Sums keep the density first; people want the pressure first.
+    // Sums keep the density first; in the file the pressure comes first.
     const auto at = [&](std::size_t k) { row.push_back(there ? found[k] : nothing); };
     at(1 + Dim);
     for (std::size_t d = 0; d < Dim; ++d) at(1 + d);
