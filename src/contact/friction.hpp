@@ -30,7 +30,8 @@ struct ShearContact {
 template <int Dim>
 ShearContact<Dim> shear_contact(const ShearSide<Dim>& first, const ShearSide<Dim>& second, double limit);
 
-/// The same against a rigid wall that moves across e with `wall_velocity`: all heat goes to the body.
+/// The same against a rigid wall that moves across e with `wall_velocity`: all frictional heat goes to the
+/// body.
 template <int Dim>
 ShearContact<Dim> shear_contact_rigid(const ShearSide<Dim>& body, const Vec<Dim>& wall_velocity,
                                       double limit);

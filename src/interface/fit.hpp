@@ -15,7 +15,7 @@ template <int Dim>
 void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch);
 
 /// The fitted primitives at the surface points from the averages of this stage, limited to the donors' range
-/// widened by half of it; plastic strain, heat and entropy are the weighted means only.
+/// widened by half of it; plastic strain, temperature rise and entropy are the weighted means only.
 template <int Dim>
 void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 

@@ -11,7 +11,7 @@ namespace recoil {
 /// opposed (a corner) the surface is free, but does not move into it.
 /// Both sides solve their own problem, so that what one body receives is not quite what the other gives: the
 /// record of the pair takes the side of the lower-numbered (or the deformable) body. A rigid body moves at
-/// the surface point as its velocity and spin say.
+/// the surface point with its velocity and spin.
 /// Reads the fits of all walls (evaluate_fits) of this block and those around it, and the mid-step level
 /// sets. Writes traction, normal, partners and velocities of BodyBlock::walls, and State::contacts; books
 /// them.

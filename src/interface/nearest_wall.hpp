@@ -20,7 +20,7 @@ NearWall<Dim> nearest_wall(const State<Dim>& state, const Body<Dim>& body, const
                            const int* index, const Vec<Dim>& x, int reach);
 
 /// The fitted state of a wall continued by from_wall [m] along its gradient, as it appears under `flips`.
-/// Density, plastic strain, heat and entropy are not continued.
+/// Density, plastic strain, temperature rise and entropy are not extrapolated.
 template <int Dim>
 Primitives<Dim> continued_value(const Wall<Dim>& wall, const Vec<Dim>& from_wall, unsigned flips, double dx);
 

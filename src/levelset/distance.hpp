@@ -4,7 +4,7 @@
 
 namespace recoil {
 
-/// Half width of the band in which phi is carried along and corrected [cells].
+/// Half width of the band in which phi is advected [cells].
 inline constexpr double carried_cells = 4.5;
 
 /// The nearest point of a surface to the centre of a cell.

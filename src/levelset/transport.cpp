@@ -119,7 +119,7 @@ void for_each_cut(const CutsInView& cuts, const Box<Dim>& window, const Box<Dim>
   });
 }
 
-/// What a cut cell says of its wall.
+/// The wall of a cut cell as its neighbours see it.
 template <int Dim>
 struct WallAt {
   Vec<Dim> point, velocity;

@@ -12,8 +12,8 @@
 
 namespace recoil {
 
-/// How the temperature is found. plastic_work: T = T0 + heat, where the state variable `heat` [K]
-/// grows by plastic_heating(). energy: from density and internal energy, see TemperatureLaw.
+/// How the temperature is found. plastic_work: T = T0 + temperature rise, a state variable [K]
+/// that grows by plastic_heating(). energy: from density and internal energy, see TemperatureLaw.
 struct Thermal {
   enum class Rule { plastic_work, energy };
   Rule rule = Rule::plastic_work;
@@ -36,7 +36,7 @@ inline double plastic_heating(const Thermal& thermal, double yield, double dep, 
   return thermal.taylor_quinney * yield * dep / (rho * thermal.specific_heat);
 }
 
-/// T(rho, e, heat) of one material, with the isentrope through the state at rest tabulated once.
+/// The temperature of one material, with the isentrope through the state at rest tabulated once.
 ///   energy rule, Mie-Grueneisen: T = T0 exp(Gamma0 (1 - rho0/rho)) + (e - e_s(rho))/c_v
 ///   energy rule, linear:         T = T0 + (e - e_cold(rho))/c_v
 class TemperatureLaw {
@@ -46,7 +46,8 @@ class TemperatureLaw {
     if (thermal.rule == Thermal::Rule::energy) std::visit([this](const auto& m) { tabulate(m); }, eos);
   }
 
-  /// Temperature [K] at density rho [kg/m3], specific internal energy e [J/kg] and accumulated heat [K].
+  /// Temperature [K] at density rho [kg/m3], specific internal energy e [J/kg] and temperature rise by
+  /// plastic work `heat` [K].
   double operator()(double rho, double e, double heat) const {
     if (thermal_.rule == Thermal::Rule::plastic_work) return thermal_.initial_temperature + heat;
     return thermal_.initial_temperature * std::exp(gamma0_ * (1 - rho0_ / rho)) +

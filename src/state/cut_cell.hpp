@@ -11,8 +11,8 @@ namespace recoil {
 
 enum class CellKind : std::uint8_t { empty, full, cut };
 
-/// What the level set says of a cell that the surface of a body cuts. Areas [m^(Dim-1)] and volumes [m^Dim]
-/// are per radian and r-weighted in an axisymmetric domain.
+/// The geometry of a cell that the surface of a body cuts, from the level set. Areas [m^(Dim-1)] and volumes
+/// [m^Dim] are per radian and r-weighted in an axisymmetric domain.
 template <int Dim>
 struct CutCell {
   int cell = 0;                                   // in the layout of its block
@@ -72,7 +72,7 @@ struct Donor {
   Vec<Dim> slope_weight;  // of the gradient, per dx
 };
 
-/// A cell beyond a surface that a reconstruction reads, and the wall that speaks for it.
+/// A cell beyond a surface that a reconstruction reads, and the wall that gives it its value.
 template <int Dim>
 struct GhostCell {
   int cell = 0;

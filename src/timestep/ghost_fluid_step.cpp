@@ -24,7 +24,7 @@ double advance_ghost_fluid(State<Dim>& state, const Stepping& stepping, double u
   }
   find_ghosts(step, dt, 0);  // of the new state, for the cells that the surfaces uncover
 
-  // The level set goes with the walls, almost without redistancing beside the surface.
+  // The level set is advected with the walls, almost without redistancing beside the surface.
   move_rigid_bodies(step, dt);
   advect_surfaces(step, dt);
   count_lost_contacts(step);

@@ -6,7 +6,7 @@
 #include "cutcell/whole_cells.hpp"
 #include "timestep/step_run.hpp"
 
-/// The phases that the schemes have in common; those of one scheme stand in conservative_phases.hpp and
+/// The phases that the schemes have in common; those of one scheme are in conservative_phases.hpp and
 /// whole_cell_phases.hpp. A phase that changes the state is collective.
 namespace recoil {
 
@@ -50,7 +50,7 @@ void refresh_averages(StepRun<Dim>& step);
 /// To the end of the step; free ones with what their contacts have given them.
 template <int Dim>
 void move_rigid_bodies(StepRun<Dim>& step, double dt);
-/// The level set goes with the walls' mean velocity over the step.
+/// Advects the level set with the walls' mean velocity over the step.
 template <int Dim>
 void advect_surfaces(StepRun<Dim>& step, double dt);
 template <int Dim>

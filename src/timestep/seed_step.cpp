@@ -25,7 +25,7 @@ double advance_seed(State<Dim>& state, const Stepping& stepping, double until, E
   }
   find_seed_ghosts(step, stepping.kappa, dt, 0);  // of the new state, for the cells that the surfaces uncover
 
-  // The level set goes with the walls and is redistanced everywhere.
+  // The level set is advected with the walls and is redistanced everywhere.
   move_rigid_bodies(step, dt);
   advect_surfaces(step, dt);
   count_lost_contacts(step);

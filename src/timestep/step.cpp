@@ -22,7 +22,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
 
   for (const Stage& stage : ssp_rk3) {
     find_walls(step, dt, stage.weight);     // contact: touch, slide, separate
-    fill_values(step);                      // ghosts speak for the walls
+    fill_values(step);                      // ghost values of the walls
     update_matter(step, dt, stage.weight);  // Q += dt R, V += dt R_V
     redistribute_small_fragments(step);
     average_inadmissible_states(step);
@@ -30,7 +30,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
     refresh_averages(step);
   }
 
-  // The level set goes with the walls, then follows the volumes; volume moves only with its contents.
+  // The level set is advected with the walls, then follows the volumes; volume moves only with its contents.
   move_rigid_bodies(step, dt);
   advect_surfaces(step, dt);
   remember_contact(step);

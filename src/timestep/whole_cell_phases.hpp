@@ -10,7 +10,7 @@ namespace recoil {
 /// The start of a step: whole cells, the stable step (returned), the surfaces half a step on, donors.
 template <int Dim>
 double prepare_whole_cells(StepRun<Dim>& step, const Stepping& stepping, double until);
-/// Riemann-Signorini states of all walls, and the ghosts that stand for them.
+/// Riemann-Signorini states of all walls, and the ghost values that they give.
 template <int Dim>
 void find_ghosts(StepRun<Dim>& step, double dt, double weight);
 /// The same by the traction rule of the seed scheme.
