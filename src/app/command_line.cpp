@@ -48,7 +48,7 @@ struct Commands {
     top.set_help_flag("-h,--help", "print this help and exit");
     top.footer(
         "Exit codes: 0 finished, 1 internal error, 2 bad input or usage, 3 numerical failure, 4 environment,
-"
+        "
         "5 finished but an expectation failed, 75 stopped and can be resumed. `recoil COMMAND --help` tells "
         "more.");
     add_run();
@@ -85,7 +85,7 @@ struct Commands {
                   "threads of each process; without it 1 in 1d, else all processors")
         ->check(CLI::PositiveNumber);
     add_set(*c, run.overrides);
-    c->add_option("--end", run.end, "end at this time instead")->type_name("TIME");
+    c->add_option("--end", run.end, "end at this time instead of time.end")->type_name("TIME");
     c->add_option("--wall", run.wall, wall_doc)->type_name("TIME");
     c->add_flag("--force", run.force, "replace a finished run");
     c->add_flag("-q,--quiet", run.quiet, "print errors and the verdict only");
@@ -97,7 +97,7 @@ struct Commands {
     CLI::App* c = command(top, "resume", "go on with a run from its last checkpoint, to the same bits",
                           [this] { return app::resume(resume); });
     c->add_option("dir", resume.folder, "folder of the run")->required()->type_name("DIR");
-    c->add_option("--to", resume.to, "end at this time instead")->type_name("TIME");
+    c->add_option("--to", resume.to, "end at this time instead of time.end")->type_name("TIME");
     c->add_option("--from", resume.from, "go on from this checkpoint instead of the newest")
         ->type_name("FILE");
     add_set(*c, resume.overrides);

@@ -6,10 +6,11 @@
 namespace recoil {
 
 /// Numbers of the components of a body's matter. Contents (extensive) and primitives share their places:
-///   contents   rho, rho u [Dim], rho E, rho S [stresses], rho ep, rho heat            (times volume)
-///   primitives rho,     u [Dim], p,         S [stresses],     ep,     heat, extra
+///   contents   rho, rho u [Dim], rho E, rho S [stresses], rho ep, rho theta           (times volume)
+///   primitives rho,     u [Dim], p,         S [stresses],     ep,     theta, extra
 /// S is the deviator; its out-of-plane part follows from the trace: 1-D holds xx; planar xx, yy, xy;
-/// axisymmetric rr, zz, rz; 3-D xx, yy, xy, xz, yz. `heat` is the temperature rise by plastic work [K];
+/// axisymmetric rr, zz, rz; 3-D xx, yy, xy, xz, yz. `theta` is the temperature rise by plastic work [K]
+/// (temperature_rise);
 /// `extra` is e - e_eos(rho, p) [J/kg], used by equations of state whose pressure does not know e.
 template <int Dim>
 struct Components {
