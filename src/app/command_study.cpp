@@ -94,7 +94,7 @@ int study(const StudyOptions& o) {
       fmt::print("{} ...", name);
       std::fflush(stdout);
       const int code = run_child(words, log);
-      const bool done = code == exit_finished || code == exit_expectation_failed;
+      const bool done = has_results(code);
       fmt::print(" {}\n",
                  done ? "done" : fmt::format("FAILED with exit code {}, see {}", code, log.string()));
       if (!done) worst = code;

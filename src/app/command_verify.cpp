@@ -117,7 +117,7 @@ VerifiedCase run_one(const Work& w, const fs::path& folder, const VerifyOptions&
     for (const std::string& set : o.overrides) words.insert(words.end(), {"--set", set});
     code = run_child(words, log);
   }
-  const bool done = code == exit_finished || code == exit_expectation_failed;
+  const bool done = has_results(code);
   VerifiedCase c = done ? read_verified(run) : VerifiedCase{};
   if (!done)
     c.problem = fmt::format("the run ended with exit code {}, see {}", code, log.string()),
@@ -152,8 +152,8 @@ std::vector<VerifiedCase> run_all(const std::vector<Work>& work, const fs::path&
                                   : c.failures() == 0
                                       ? fmt::format("all {} met", c.values.size())
                                       : fmt::format("{} of {} FAILED", c.failures(), c.values.size());
-      fmt::print("[{}/{}] {}: {}, {:.3g} s of processor time\n", ++finished, work.size(), c.name, verdict,
-                 c.cpu_s);
+      fmt::print("[{}/{}] {}: {}{}, {:.3g} s of processor time\n", ++finished, work.size(), c.name, verdict,
+                 c.doubts.empty() ? "" : ", doubtful", c.cpu_s);
       std::fflush(stdout);
       results[order[k]] = std::move(c);
     }
@@ -200,7 +200,7 @@ int verify(const VerifyOptions& o) {
   fmt::print("{} cases, {} checks, {} against references, {} failed\n", n.cases, n.values, n.references,
              n.failures);
   for (const VerifiedCase& c : results)
-    if (c.exit_code != exit_finished && c.exit_code != exit_expectation_failed) return c.exit_code;
+    if (!has_results(c.exit_code)) return c.exit_code;
   return n.failures > 0 ? exit_expectation_failed : exit_finished;
 }
 

@@ -49,6 +49,8 @@ std::filesystem::path write_crash(const SimulationOptions& options, const State<
   for (const BlockLedger<Dim>& ledger : state.ledger) sum += ledger.counters;
   for (const auto& [name, count] : sum.list())
     if (*count != 0) text += fmt::format("  {} {}\n", name, *count);
+  text += fmt::format("to repeat\n  recoil run {} -o NEW_FOLDER\n",
+                      (options.folder / "case.resolved.toml").string());
   write_atomically(folder / fmt::format("process_{}.txt", rank), text);
   return folder;
 }
@@ -106,7 +108,7 @@ Simulation<Dim>::Simulation(const LoadedCase& loaded, const SimulationOptions& o
     scheme_.prepare(state_, engine_);
     recorder_->begin(state_);
   } else {
-    read_checkpoint(BlockFile(options.checkpoint), state_, *recorder_, world);
+    read_checkpoint(BlockFile(options.checkpoint), state_, engine_.averaged, *recorder_, world);
     reporter_.say(fmt::format("goes on from {} at {:.6g} us, step {}", options.checkpoint.string(),
                               state_.time * 1e6, state_.step));
   }
@@ -116,6 +118,15 @@ Simulation<Dim>::Simulation(const LoadedCase& loaded, const SimulationOptions& o
 template <int Dim>
 double Simulation<Dim>::wall() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+}
+
+template <int Dim>
+RunFacts Simulation<Dim>::facts() const {
+  RunFacts f;
+  f.version = fmt::format("{} ({})", build_info::version, build_info::describe);
+  f.averaged = &engine_.averaged;
+  f.wall_s = wall();
+  return f;
 }
 
 template <int Dim>
@@ -135,8 +146,18 @@ void Simulation<Dim>::advance() {
     dt_ = scheme_.advance(state_, stepping, case_.time.end, engine_);
     recorder_->after_step(state_, dt_);
   } catch (const PhysicsError& e) {
-    recorder_->abandon(state_);
-    const auto folder = write_crash(options_, state_, dt_, world_.rank(), e.what());
+    RunFacts failed = facts();
+    failed.exit = exit_numerical_failure;
+    std::string what = e.what();
+    if (recorder_->stopped()) {
+      failed.cpu_s = processor_seconds(world_, worked_);
+      const Summary summary = recorder_->finish(state_, failed);
+      for (const Reason& r : summary.verdict.reasons) what += "\n   " + r.text;
+      if (world_.rank() == 0) tell_verdict(reporter_, summary);
+    } else {
+      recorder_->abandon(state_, failed, e.what());
+    }
+    const auto folder = write_crash(options_, state_, dt_, world_.rank(), what);
     throw PhysicsError(fmt::format("{}\n   = help: what is known is in {}", e.what(), folder.string()));
   }
   tell_events();
@@ -147,7 +168,7 @@ template <int Dim>
 void Simulation<Dim>::save() {
   const auto file = checkpoint_file(options_.folder, state_.step);
   if (world_.rank() == 0) std::filesystem::create_directories(file.parent_path());
-  write_checkpoint(file, to_json(describe(loaded_, options_.overrides)), state_, *recorder_, world_);
+  write_checkpoint(file, to_json(describe(loaded_, options_.overrides)), state_, engine_.averaged, *recorder_, world_);
   if (world_.rank() == 0) remove_old_checkpoints(options_.folder, case_.output.checkpoint.keep);
   checkpoint_due_.done(state_.time);
   saved_at_ = wall();
@@ -163,15 +184,16 @@ void Simulation<Dim>::save_if_due() {
 
 template <int Dim>
 Summary Simulation<Dim>::finish() {
-  RunFacts facts;
-  facts.version = fmt::format("{} ({})", build_info::version, build_info::describe);
-  facts.wall_s = wall();
-  facts.cpu_s = processor_seconds(world_, worked_);
-  const Summary summary = recorder_->finish(state_, facts);
+  RunFacts done = facts();
+  done.cpu_s = processor_seconds(world_, worked_);
+  const Summary summary = recorder_->finish(state_, done);
   tell_events();
-  if (options_.verbose) tell_timers(reporter_, engine_.timers, facts.wall_s);
+  if (options_.verbose) tell_timers(reporter_, engine_.timers, done.wall_s);
   tell_verdict(reporter_, summary);
   reporter_.say(fmt::format("results in {}", options_.folder.string()));
+  if (summary.exit == exit_numerical_failure)
+    throw PhysicsError(fmt::format("the run has come to its end, but must not be trusted: see {}",
+                                   (options_.folder / "summary.json").string()));
   return summary;
 }
 

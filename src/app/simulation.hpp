@@ -53,6 +53,7 @@ class Simulation {
 
  private:
   double wall() const;
+  RunFacts facts() const;
   void tell_events();
 
   const LoadedCase& loaded_;
@@ -72,7 +73,8 @@ class Simulation {
 };
 
 /// Computes a case to its end, or until it is asked to stop. Collective.
-/// @returns the exit code: 0, 5 where an expectation failed, 75 where it was stopped with a checkpoint.
+/// @returns the exit code: 0, 5 where an expectation failed, 6 where the verdict is doubtful, 75 where it was
+/// stopped with a checkpoint.
 /// @throws PhysicsError with a crash folder written, EnvironmentError, InputError.
 template <int Dim>
 int simulate(const LoadedCase& loaded, const SimulationOptions& options, const parallel::World& world);

@@ -53,6 +53,16 @@ void tell_expectations(Reporter& reporter, const std::vector<CheckResult>& all) 
   }
 }
 
+void tell_validity(Reporter& reporter, const Verdict& v) {
+  const std::string name = name_of(v.kind);
+  if (v.kind == Verdict::Kind::valid)
+    reporter.say("verdict: valid");
+  else
+    reporter.insist(fmt::format("verdict: {}", name));
+  for (const Reason& r : v.reasons) reporter.insist(fmt::format("  {}: {}", name, r.text));
+  for (const std::string& note : v.notes) reporter.say("  " + note);
+}
+
 }  // namespace
 
 std::string written(const CheckResult& r) {
@@ -70,6 +80,7 @@ void tell_verdict(Reporter& reporter, const Summary& s) {
   for (const auto& [name, count] : s.floors)
     if (count != 0) reporter.say(fmt::format("limited: {} {}", name, count));
   tell_expectations(reporter, s.expect);
+  tell_validity(reporter, s.verdict);
 }
 
 }  // namespace recoil::app

@@ -7,7 +7,8 @@
 
 namespace recoil::app {
 
-/// The end of a run in a few lines: steps and time, balances, what was limited, expectations.
+/// The end of a run in a few lines: steps and time, balances, what was limited, expectations, and whether
+/// it can be trusted.
 void tell_verdict(Reporter& reporter, const Summary& summary);
 
 /// A value in the unit of its expectation, "0.6994 us"; "none" where there is none.

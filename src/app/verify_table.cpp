@@ -96,6 +96,7 @@ std::string section(const VerifiedCase& c) {
   out += fmt::format("{} of {} met; {} cells with matter, {} steps, {:.3g} s of processor time.\n\n",
                      static_cast<long>(c.values.size()) - c.failures(), c.values.size(), c.cells, c.steps,
                      c.cpu_s);
+  for (const std::string& doubt : c.doubts) out += fmt::format("Doubtful: {}\n\n", doubt);
   out +=
       "| quantity | reference | source | ours | error | tolerance | verdict "
       "|\n|---|---|---|---|---|---|---|\n";
@@ -135,6 +136,7 @@ VerifiedCase read_verified(const std::filesystem::path& run) {
   c.cpu_s = number(all, "cpu_s");
   c.steps = all.value("steps", 0L);
   c.cells = all.value("cells", 0L);
+  for (const Json& reason : all.value("reasons", Json::array())) c.doubts.push_back(text(reason, "text"));
   for (const auto& [quantity, j] : all["expect"].items()) c.values.push_back(value_of(quantity, j));
   return c;
 }
@@ -201,6 +203,7 @@ std::string verify_json(const std::vector<VerifiedCase>& cases) {
              {"steps", c.steps},        {"cells", c.cells},
              {"failures", c.failures()}};
     if (!c.problem.empty()) one["problem"] = c.problem;
+    one["doubts"] = c.doubts;
     one["values"] = Json::object();
     for (const VerifiedValue& v : c.values)
       one["values"][v.quantity] = {{"kind", v.kind},

@@ -23,6 +23,7 @@ struct VerifiedCase {
   double cpu_s = 0;  // processor time
   long steps = 0, cells = 0;
   std::vector<VerifiedValue> values;
+  std::vector<std::string> doubts;  // why the run is doubtful; empty: it is valid
 
   /// Of its values; a case that did not run to its end counts as one failure.
   long failures() const;

@@ -93,6 +93,7 @@ Entries<Case> Case::keys() {
       {.name = "gauge", .member = part_of_gauges(), .doc = "records over time, one [gauge.NAME] each"},
       {.name = "contact", .member = part_of_contact(), .doc = "what happens where bodies meet"},
       {.name = "method", .member = part_of<&Case::method>(), .doc = "the numerical method"},
+      {.name = "limits", .member = part_of<&Case::limits>(), .doc = "what makes a run doubtful, or stops it"},
       {.name = "output", .member = part_of<&Case::output>(), .doc = "what is written, and how often"},
       {.name = "expect", .member = part_of_expect(), .doc = "what the results are checked against"}};
 }

@@ -8,6 +8,7 @@
 #include "config/section/contact.hpp"
 #include "config/section/domain.hpp"
 #include "config/section/expect.hpp"
+#include "config/section/limits.hpp"
 #include "config/section/mesh.hpp"
 #include "config/section/method.hpp"
 #include "config/section/output.hpp"
@@ -30,6 +31,7 @@ struct Case {
   std::vector<Gauge> gauges;
   Contact contact;
   Method method;
+  Limits limits;
   Output output;
   std::vector<Expectation> expect;
 

@@ -26,6 +26,29 @@ std::string place_of(const State<Dim>& state, int slot, const Index<Dim>& local)
   return "(" + text + ") mm";
 }
 
+/// A fragment whose density the equation of state does not admit.
+template <int Dim>
+[[noreturn]] void refuse_density(const State<Dim>& state, const Body<Dim>& body, int slot,
+                                 const Index<Dim>& local, std::size_t k) {
+  const BodyBlock<Dim>& b = body.at(slot);
+  const Contents<Dim> q = contents_of(b, static_cast<int>(k));
+  const double mass = q[Components<Dim>::rho], rho = mass / b.volume[k];
+  double kinetic = 0;
+  std::string velocity;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const double u = q[Components<Dim>::u + d] / mass;
+    kinetic += 0.5 * u * u;
+    velocity += fmt::format("{}{:.6g}", d > 0 ? ", " : "", u);
+  }
+  throw PhysicsError(fmt::format(
+      "{} has a density beyond its equation of state at {}, {:.6g} us: {:.6g} kg/m3, the largest is {:.6g}; "
+      "velocity ({}) m/s, internal energy {:.6g} J/kg, {:.3g} of a cell",
+      body.name, place_of(state, slot, local), state.time * 1e6, rho,
+      std::visit([](const auto& eos) { return eos.largest_density(); }, body.material.eos), velocity,
+      q[Components<Dim>::energy] / mass - kinetic,
+      b.volume[k] / state.grid().full_volume(state.mesh.block(slot).cells.lo + local)));
+}
+
 template <int Dim, class F>
 void for_each_cell(const State<Dim>& state, int slot, F&& f) {
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
@@ -104,12 +127,16 @@ template <int Dim>
 void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
   const double rho0 = density(body.material);
+  const double densest = std::visit([](const auto& eos) { return eos.largest_density(); }, body.material.eos);
   for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     const double fill = b.volume[k] / state.grid().full_volume(i);
     std::uint8_t role = 0;
     if (fill > donor_fill) role |= donates;
     if (fill >= regular_fill) role |= regular | valued;
-    if (role != 0 && !(b.contents[k] / b.volume[k] > thinnest_used * rho0)) {
+    const double rho = role != 0 ? b.contents[k] / b.volume[k] : rho0;
+    if (fill >= regular_fill && !(rho < densest))
+      refuse_density(state, body, slot, i - state.mesh.block(slot).cells.lo, k);
+    if (role != 0 && !(rho > thinnest_used * rho0)) {
       ++counters.fragments_too_thin;
       role = 0;
     }

@@ -34,6 +34,8 @@ Primitives<Dim> to_primitives(const EosModel& eos, const Contents<Dim>& q, doubl
 }
 
 /// Chooses what every fragment of a block is good for (Role), from its volume. Once a step.
+/// @throws PhysicsError for a density that the equation of state does not admit (1 - s Phi <= 0.1) in a
+/// fragment of at least half a cell.
 template <int Dim>
 void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 

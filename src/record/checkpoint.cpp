@@ -38,7 +38,8 @@ void read_exactly(F&& f) {
 
 template <int Dim>
 void write_checkpoint(const std::filesystem::path& path, const std::string& text, const State<Dim>& state,
-                      Recorder<Dim>& recorder, const parallel::World& world) {
+                      const AveragedStates& averaged, Recorder<Dim>& recorder,
+                      const parallel::World& world) {
   BlockFileHead head{text, {}};
   if (world.rank() == 0) pack_whole(state, head.whole);
   recorder.pack_whole(head.whole);
@@ -46,14 +47,17 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& text
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
     pack_block(state, slot, records[slot]);
     recorder.pack_block(slot, records[slot]);
+    for (std::size_t m = 0; m < state.bodies.size(); ++m)
+      parallel::pack(records[slot], averaged.lines.empty() ? AveragedStates::Line{} : averaged.at(slot, m));
   }
   const long first = state.mesh.local() > 0 ? state.mesh.block(0).order : 0;
   write_block_file(path, head, first, records, all_blocks(state, world), world);
 }
 
 template <int Dim>
-void read_checkpoint(const BlockFile& file, State<Dim>& state, Recorder<Dim>& recorder,
-                     const parallel::World& world) {
+void read_checkpoint(const BlockFile& file, State<Dim>& state, AveragedStates& averaged,
+                     Recorder<Dim>& recorder, const parallel::World& world) {
+  make_room(averaged, state);
   read_exactly([&] {
     require(file.blocks() == all_blocks(state, world), "a checkpoint of another mesh");
     for (int slot = 0; slot < state.mesh.local(); ++slot) {
@@ -64,6 +68,8 @@ void read_checkpoint(const BlockFile& file, State<Dim>& state, Recorder<Dim>& re
         apply_band(state, state.bodies[m], slot,
                    {places[m].present, places[m].near_surface, places[m].reach});
       recorder.unpack_block(slot, from);
+      for (std::size_t m = 0; m < state.bodies.size(); ++m)
+        averaged.at(slot, m) = from.read<AveragedStates::Line>();
       require(from.empty(), "a checkpoint of another version");
     }
   });
@@ -79,8 +85,9 @@ void read_checkpoint(const BlockFile& file, State<Dim>& state, Recorder<Dim>& re
 
 #define RECOIL_INSTANTIATE(Dim)                                                                            \
   template void write_checkpoint<Dim>(const std::filesystem::path&, const std::string&, const State<Dim>&, \
-                                      Recorder<Dim>&, const parallel::World&);                             \
-  template void read_checkpoint<Dim>(const BlockFile&, State<Dim>&, Recorder<Dim>&, const parallel::World&);
+                                      const AveragedStates&, Recorder<Dim>&, const parallel::World&);      \
+  template void read_checkpoint<Dim>(const BlockFile&, State<Dim>&, AveragedStates&, Recorder<Dim>&,       \
+                                     const parallel::World&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -1,5 +1,7 @@
 #include "record/recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -10,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "config/shape/shape.hpp"
 #include "core/error.hpp"
 #include "format/csv.hpp"
 #include "gauge/due.hpp"
@@ -20,6 +23,8 @@
 #include "record/findings.hpp"
 #include "record/history.hpp"
 #include "record/lift_off.hpp"
+#include "record/state_survey.hpp"
+#include "record/validity.hpp"
 
 namespace recoil {
 
@@ -27,7 +32,7 @@ namespace {
 
 constexpr double status_every = 5;  // s of wall time
 constexpr int stages = 3;           // of a step
-constexpr int exit_expectation_failed = 5;
+constexpr int exit_stopped = 3, exit_expectation_failed = 5, exit_doubtful = 6;
 
 double wall_clock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -104,6 +109,8 @@ struct Recorder<Dim>::Parts {
   BudgetWatch<Dim> budget;
   std::optional<History<Dim>> history;
   FieldDump<Dim> fields;
+  StateSurvey<Dim> survey;
+  bool stopped = false;
   Due history_due, fields_due;
   std::vector<PairSample> pairs;
   double history_last = -1, started = 0, status_last = 0, dt = 0;
@@ -123,6 +130,7 @@ struct Recorder<Dim>::Parts {
         events(names, c.domain.geometry, closed_axes(c.domain)),
         budget(names, rigid, units.balanced),
         fields(make_folder("fields"), case_name(c), c.output.fields.variables),
+        survey(state, c.limits),
         history_due(c.output.history.every),
         fields_due(c.output.fields.every),
         pairs(pair_count()) {}
@@ -213,6 +221,48 @@ struct Recorder<Dim>::Parts {
     return floors;
   }
 
+  /// What is known beside `bodies`; budgets on rank 0 only.
+  Evidence evidence_of(std::vector<BodyEvidence> bodies) const {
+    Evidence e;
+    e.dimensions = Dim;
+    e.conservative = case_.method.scheme == "conservative";
+    e.bodies = std::move(bodies);
+    for (BodyEvidence& b : e.bodies)
+      for (const config::Body& body : case_.bodies)
+        if (body.name == b.name)
+          b.thickness = config::thickness(body.shape, case_.domain) / case_.mesh.finest;
+    e.budgets = budget.worst();
+    return e;
+  }
+
+  /// Stops the run where it has passed a limit that says so. Collective.
+  void stop_beyond_limits(const State<Dim>& state, bool looked) {
+    const bool due = state.step % survey_steps == 0;
+    if (!due && !looked) return;
+    Evidence e = evidence_of({});
+    if (due) {
+      survey.look(state, team);
+      const auto recent = survey.recent(state, world);
+      e.recent_averaged = recent.averaged, e.recent_cell_steps = recent.cell_steps;
+    }
+    const Verdict verdict = judge(e, case_.limits);
+    stopped = world.any(verdict.kind == Verdict::Kind::stopped);
+    if (!stopped) return;
+    std::string text = "beyond a limit that stops a run";
+    if (first()) text = verdict.reasons.front().text;
+    throw PhysicsError(fmt::format("stopped at {:.6g} us: {}", state.time * 1e6, text));
+  }
+
+  /// Collective; complete on rank 0.
+  Verdict verdict_on(const State<Dim>& state, const Summary& s, const RunFacts& facts) {
+    if (survey.last() < state.step) survey.look(state, team);
+    const auto recent = survey.recent(state, world);
+    Evidence e = evidence_of(survey.evidence(state, facts.averaged, world));
+    e.recent_averaged = recent.averaged, e.recent_cell_steps = recent.cell_steps;
+    e.counters = s.floors;
+    return judge(e, case_.limits);
+  }
+
   Quantities quantities(const Totals<Dim>& totals,
                         const std::vector<std::pair<std::string, std::int64_t>>& floors, long steps) const {
     Quantities q = find_quantities(totals, names, rigid, units, budget.worst(), events, floors, steps);
@@ -280,6 +330,7 @@ void Recorder<Dim>::after_step(const State<Dim>& state, double dt) {
     p.flush();
     p.save_status(state, "running");
   }
+  p.stop_beyond_limits(state, history || bodies);
 }
 
 template <int Dim>
@@ -305,7 +356,11 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
     s.events = p.events.events();
   }
   s.passed = !p.world.any(!s.passed);
-  s.exit = facts.exit == 0 && !s.passed ? exit_expectation_failed : facts.exit;
+  s.verdict = p.verdict_on(state, s, facts);
+  s.exit = facts.exit;
+  if (p.world.any(s.verdict.kind == Verdict::Kind::stopped)) s.exit = exit_stopped;
+  if (s.exit == 0 && !s.passed) s.exit = exit_expectation_failed;
+  if (p.world.any(s.verdict.kind == Verdict::Kind::doubtful) && s.exit == 0) s.exit = exit_doubtful;
   s.version = facts.version;
   s.case_name = case_name(p.case_);
   s.time = state.time;
@@ -317,7 +372,7 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
   if (p.first()) {
     p.flush();
     write_summary(p.directory / "summary.json", s);
-    p.save_status(state, "finished");
+    p.save_status(state, s.exit == exit_stopped ? "failed" : "finished");
   }
   return s;
 }
@@ -325,6 +380,7 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
 template <int Dim>
 void Recorder<Dim>::pack_whole(parallel::Bytes& bytes) {
   Parts& p = *parts_;
+  p.survey.pack(p.world, bytes);
   if (!p.first()) return;
   p.flush();
   p.gauges.pack(bytes);
@@ -348,6 +404,7 @@ template <int Dim>
 void Recorder<Dim>::resume(const State<Dim>& state, parallel::Unpacker& from) {
   Parts& p = *parts_;
   p.started = wall_clock();
+  p.survey.unpack(p.world, from);
   p.gauges.unpack(from);
   p.events.unpack(from);
   p.fields.unpack(from, p.first());
@@ -369,10 +426,28 @@ void Recorder<Dim>::stop(const State<Dim>& state) {
 }
 
 template <int Dim>
-void Recorder<Dim>::abandon(const State<Dim>& state) {
-  if (!parts_->first()) return;
-  parts_->flush();
-  parts_->save_status(state, "failed");
+bool Recorder<Dim>::stopped() const {
+  return parts_->stopped;
+}
+
+template <int Dim>
+void Recorder<Dim>::abandon(const State<Dim>& state, const RunFacts& facts, const std::string& why) {
+  Parts& p = *parts_;
+  Evidence e = p.evidence_of(p.survey.own_evidence(state, facts.averaged));
+  e.failure = why;
+  Counters all;
+  for (const auto& ledger : state.ledger) all += ledger.counters;
+  for (const auto& [name, count] : all.list()) e.counters.emplace_back(name, *count);
+  Summary s;
+  s.version = facts.version, s.case_name = case_name(p.case_);
+  s.exit = exit_stopped, s.passed = false;
+  s.verdict = judge(e, p.case_.limits);
+  s.time = state.time, s.steps = state.step, s.wall_s = facts.wall_s;
+  s.budgets = e.budgets, s.events = p.events.events(), s.floors = e.counters;
+  write_summary(p.directory / "summary.json", s);
+  if (!p.first()) return;
+  p.flush();
+  p.save_status(state, "failed");
 }
 
 template <int Dim>

@@ -31,7 +31,8 @@ class Recorder {
 
   /// The start, after prepare_start(): first records and first fields.
   void begin(const State<Dim>& state);
-  /// After every advance() with the length that it returned [s].
+  /// After every advance() with the length that it returned [s]. @throws PhysicsError, on all processes,
+  /// where the run has passed a limit that stops it: stopped() is true then, and finish() may follow.
   void after_step(const State<Dim>& state, double dt);
   /// The end: last records and fields, expectations, summary.json and status.json.
   Summary finish(const State<Dim>& state, const RunFacts& facts);
@@ -45,8 +46,10 @@ class Recorder {
   void resume(const State<Dim>& state, parallel::Unpacker& from);
   /// The run stops before its end: says so in status.json. Not collective.
   void stop(const State<Dim>& state);
-  /// After a failure: hands on what is written so far and says "failed" in status.json. Not collective.
-  void abandon(const State<Dim>& state);
+  bool stopped() const;
+  /// After a failure of this process: hands on what is written so far, says "failed" in status.json and why
+  /// in summary.json. Not collective.
+  void abandon(const State<Dim>& state, const RunFacts& facts, const std::string& why);
 
   /// Events since the last call, for the live display; empty but on rank 0. Not collective.
   std::vector<Event> take_news();

@@ -47,6 +47,23 @@ Json events_json(const std::vector<Event>& events) {
   return all;
 }
 
+Json reasons_json(const std::vector<Reason>& reasons) {
+  Json all = Json::array();
+  for (const Reason& r : reasons) {
+    Json place = Json::array();
+    for (const double x : r.place) place.push_back(number(x * 1e3));
+    all.push_back({{"what", r.what},
+                   {"body", r.body},
+                   {"text", r.text},
+                   {"value", number(r.value)},
+                   {"limit", number(r.limit)},
+                   {"first_us", number(r.first * 1e6)},
+                   {"last_us", number(r.last * 1e6)},
+                   {"place_mm", std::move(place)}});
+  }
+  return all;
+}
+
 Json check_json(const CheckResult& r) {
   const config::Expectation& e = r.expected;
   Json j;
@@ -77,6 +94,9 @@ void write_summary(const std::filesystem::path& path, const Summary& s) {
   j["version"] = s.version;
   j["case"] = s.case_name;
   j["exit"] = s.exit;
+  j["verdict"] = name_of(s.verdict.kind);
+  j["reasons"] = reasons_json(s.verdict.reasons);
+  j["not_judged"] = s.verdict.notes;
   j["time_us"] = number(s.time * 1e6);
   j["steps"] = s.steps;
   j["cells"] = s.cells;

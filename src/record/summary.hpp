@@ -10,16 +10,19 @@
 #include "record/budget.hpp"
 #include "record/events.hpp"
 #include "record/quantities.hpp"
+#include "record/validity.hpp"
+#include "state/averaged_states.hpp"
 
 namespace recoil {
 
 /// What the recorder is told.
 struct RunFacts {
   std::string version;
-  int exit = 0;                             ///< 5 is put in its place where an expectation fails
-  double wall_s = 0;                        ///< of the time loop
-  double cpu_s = 0;                         ///< of all processes and threads, in the time loop
-  std::vector<config::Expectation> expect;  ///< beyond those of the case, of expected.toml
+  int exit = 0;  ///< in place of 0 come 3 of a stopped run, 5 of a failed expectation, 6 of a doubtful run
+  double wall_s = 0;                         ///< of the time loop
+  double cpu_s = 0;                          ///< of all processes and threads, in the time loop
+  std::vector<config::Expectation> expect;   ///< beyond those of the case, of expected.toml
+  const AveragedStates* averaged = nullptr;  ///< null: bodies' shares are not known
 };
 
 /// The main column of a gauge in short.
@@ -35,6 +38,7 @@ struct Summary {
   std::string version, case_name;
   int exit = 0;
   bool passed = true;  ///< every expectation
+  Verdict verdict;     ///< on rank 0
   double time = 0;     ///< s
   long steps = 0;
   std::int64_t cells = 0;                  ///< with matter, at the end

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -164,9 +165,13 @@ void average_inadmissible_states(StepRun<Dim>& step) {
       mean{"average inadmissible states", role | contents | volume | end_geometry, {}, updates},
       clear{"clear marks", {}, {}, role};
   constexpr auto part = StepPhase::redistribution;
+  make_room(step.engine().averaged, step.state());
   for (int width = 1; width <= 3; ++width) {
     step.for_each_body(part, mark, [&](Body<Dim>& body, int slot, Scratch&) {
-      step.counters(slot).averaged_states += mark_inadmissible(step.state(), body, slot);
+      const std::int64_t marked = mark_inadmissible(step.state(), body, slot);
+      if (marked == 0) return;
+      step.counters(slot).averaged_states += marked;
+      note_averaged(step.engine().averaged, step.state(), body, slot, marked);
     });
     if (!has_inadmissible_states(step)) return;
     step.for_each_body(part, mean, [&](Body<Dim>& body, int slot, Scratch& scratch) {

@@ -4,6 +4,7 @@
 
 #include "core/timers.hpp"
 #include "parallel/team.hpp"
+#include "state/averaged_states.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
@@ -38,6 +39,7 @@ struct Engine {
   const parallel::World& world;
   parallel::Team& team;
   Timers<StepPhase> timers;
+  AveragedStates averaged{};  // so far, by body
 };
 
 /// Advances all bodies by one step of the conservative moving-boundary method (docs/theory.md), at most to

@@ -117,6 +117,39 @@ class Run(Program):
             kinds = [row["event"] for row in csv.DictReader(file)]
         self.assertEqual(kinds[:2], ["contact", "opening"])
 
+    def flyer_at(self, velocity):
+        """An aluminium plate on aluminium, 20 cells thick; the result of its run and its summary."""
+        case = self.case(('"copper/seed"', '"aluminium/6061-t6"'), ("450 m/s", velocity), ('end = "6 us"', 'end = "0.4 us"'))
+        result = recoil("run", case, "-o", self.folder / "out", "--set", "mesh.finest=0.1mm")
+        return result, json.loads((self.folder / "out" / "summary.json").read_text())
+
+    def test_verdict_of_a_good_run(self):
+        result, summary = self.flyer_at("450 m/s")
+        self.expect(result, 0, "verdict: valid")
+        self.assertEqual((summary["verdict"], summary["reasons"], summary["exit"]), ("valid", [], 0))
+
+    def test_verdict_of_a_doubtful_run(self):
+        result, summary = self.flyer_at("6 km/s")
+        self.expect(result, 6, "doubtful: ", "%")
+        self.assertEqual((summary["verdict"], summary["exit"]), ("doubtful", 6))
+        self.assertGreater(summary["reasons"][0]["value"], summary["reasons"][0]["limit"])
+
+    def test_a_run_beyond_its_equations_stops_and_says_why(self):
+        result, summary = self.flyer_at("30 km/s")
+        self.expect(result, 3, "stopped")
+        self.assertEqual((summary["verdict"], summary["exit"]), ("stopped", 3))
+        crash = (self.folder / "out" / "crash" / "process_0.txt").read_text()
+        self.assertIn("case.resolved.toml", crash)
+        status = json.loads((self.folder / "out" / "status.json").read_text())
+        self.assertEqual(status["state"], "failed")
+
+    def test_a_failed_expectation_comes_before_doubts(self):
+        case = self.case()
+        tight = ["--set", "limits.thickness=30", "--end", "0.1us"]  # the flyer has 10 cells
+        self.expect(self.run_coarse(*tight, case=case), 6, "doubtful: flyer is 10 cells thick")
+        case.write_text(case.read_text() + '[expect]\n"run.steps" = { at-most = 1 }\n')
+        self.expect(self.run_coarse(*tight, "--force", case=case), 5, "FAIL run.steps", "doubtful: flyer")
+
     def test_the_resolved_case_gives_the_same_run(self):
         self.expect(self.run_coarse("--end", "1us"), 0)
         resolved = self.folder / "out" / "case.resolved.toml"

@@ -90,14 +90,14 @@ TEST(Checkpoint, ARunGoesOnToTheSameBits) {
   whole.advance_by(40);
   first.advance_by(25);
   const auto file = first.folder / "checkpoint.h5";
-  write_checkpoint(file, "a run", first.state, first.recorder, first.world);
+  write_checkpoint(file, "a run", first.state, first.engine.averaged, first.recorder, first.world);
   for (const char* name : {"history.csv", "events.csv"})
     std::filesystem::copy_file(first.folder / name, second.folder / name,
                                std::filesystem::copy_options::overwrite_existing);
 
   const BlockFile saved(file);
   EXPECT_EQ(saved.head().text, "a run");
-  read_checkpoint(saved, second.state, second.recorder, second.world);
+  read_checkpoint(saved, second.state, second.engine.averaged, second.recorder, second.world);
   EXPECT_EQ(second.state.time, first.state.time);
   EXPECT_EQ(second.state.step, 25);
   second.advance_by(15);
@@ -122,7 +122,7 @@ TEST(Checkpoint, DamageIsNoticed) {
   run.begin();
   run.advance_by(3);
   const auto file = run.folder / "checkpoint.h5";
-  write_checkpoint(file, "a run", run.state, run.recorder, run.world);
+  write_checkpoint(file, "a run", run.state, run.engine.averaged, run.recorder, run.world);
   std::string bytes = run.file("checkpoint.h5");
   const std::string whole = bytes;
   const auto refused = [&](const std::string& damaged) {
@@ -131,7 +131,7 @@ TEST(Checkpoint, DamageIsNoticed) {
     std::filesystem::copy_file(run.folder / "history.csv", other.folder / "history.csv",
                                std::filesystem::copy_options::overwrite_existing);
     try {
-      read_checkpoint(BlockFile(file), other.state, other.recorder, other.world);
+      read_checkpoint(BlockFile(file), other.state, other.engine.averaged, other.recorder, other.world);
     } catch (const InputError&) {
       return true;
     }
@@ -154,12 +154,12 @@ TEST(Checkpoint, OfAnotherMeshIsRefused) {
   Recorded run(folder / "run");
   run.begin();
   const auto file = run.folder / "checkpoint.h5";
-  write_checkpoint(file, "a run", run.state, run.recorder, run.world);
+  write_checkpoint(file, "a run", run.state, run.engine.averaged, run.recorder, run.world);
   config::Case finer = case_from(text);
   finer.mesh.finest = 1e-4;
   State<2> state = state_of<2>(finer);
   Recorder<2> recorder(finer, state, run.world, Recorded::made(folder / "finer"));
-  EXPECT_THROW(read_checkpoint(BlockFile(file), state, recorder, run.world), InputError);
+  EXPECT_THROW(read_checkpoint(BlockFile(file), state, run.engine.averaged, recorder, run.world), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+#include "config/section/limits.hpp"
+
+namespace recoil::config {
+
+namespace {
+
+Entry<Limits> part(const char* name, double Limits::*member, const char* doc, const char* example = "1e-4") {
+  return {.name = name, .member = member, .least = 0, .most = 100, .doc = doc, .example = example};
+}
+
+}  // namespace
+
+Entries<Limits> Limits::keys() {
+  using L = Limits;
+  return {
+      part("averaged-states", &L::averaged_states,
+           "part of a body's cell states that may be replaced by a mean with their neighbours'"),
+      part("averaged-states-stop", &L::averaged_states_stop,
+           "the same, of the last 100 steps: beyond it the run stops"),
+      {.name = "budget",
+       .member = &L::budget,
+       .positive = true,
+       .doc = "relative error of the mass, momentum and energy of a body (conservative scheme only)",
+       .example = "1e-9"},
+      {.name = "budget-stop",
+       .member = &L::budget_stop,
+       .positive = true,
+       .doc = "the same: beyond it the run stops",
+       .example = "1e-6"},
+      part("first-order-faces", &L::first_order_faces, "faces that take the states of their cells"),
+      part("faces-without-value", &L::faces_without_value, "faces that lack a value"),
+      part("cuts-without-donor", &L::cuts_without_donor, "cut cells without a fit"),
+      part("ghosts-without-wall", &L::ghosts_without_wall, "cells beyond a surface without a wall"),
+      part("averages-kept", &L::averages_kept, "fragments whose average of the stage before stands"),
+      part("fragments-too-thin", &L::fragments_too_thin, "fragments that fits and stencils leave out"),
+      part("real-cells-without-contents", &L::real_cells_without_contents,
+           "ghost-fluid schemes: cells inside a body without matter"),
+      part("uncovered-cells-without-value", &L::uncovered_cells_without_value,
+           "ghost-fluid schemes: uncovered cells without a value"),
+      part("clamped-fit-densities", &L::clamped_fit_densities, "clamped densities at surfaces"),
+      part("clamped-ghost-densities", &L::clamped_ghost_densities, "clamped densities of ghosts"),
+      part("unmerged-fragments", &L::unmerged_fragments, "small fragments without a partner"),
+      part("lone-fragments-moved", &L::lone_fragments_moved, "those moved to the nearest large fragment"),
+      part("capped-speeds", &L::capped_speeds, "cells whose surface would move more than a cell in a step"),
+      part("volume-bounds", &L::volume_bounds, "cut cells whose volume passed its bounds"),
+      part("volume-bounds-left", &L::volume_bounds_left, "those that no neighbour could help"),
+      part("floored-sound-speeds", &L::floored_sound_speeds, "states with a speed of sound below the least"),
+      part("negative-plastic-strain", &L::negative_plastic_strain, "plastic strain below zero"),
+      part("negative-heating", &L::negative_heating,
+           "temperature below that of the start, with temperature = \"plastic-work\""),
+      part("overfilled-cells", &L::overfilled_cells, "cells with more matter than volume-fraction"),
+      part("volume-fraction", &L::volume_fraction, "of all bodies in a cell", "1.1"),
+      part("density", &L::density, "whole cells with a density outside of 0.5 to 2.5 of that at rest"),
+      part("tension", &L::tension, "whole cells under more tension than the material bears"),
+      part("largest-tension", &L::largest_tension,
+           "what a material without a spall-strength bears, as part of its bulk modulus", "0.05"),
+      part("melting", &L::melting,
+           "whole cells hotter than a melting temperature of which the strength model knows nothing"),
+      part("thickness", &L::thickness, "cells across the thinnest part of each deformable body", "4")};
+}
+
+}  // namespace recoil::config

@@ -1,0 +1,279 @@
+#include "record/state_survey.hpp"
+
+#include "parallel/archive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <tuple>
+#include <variant>
+
+#include "dynamics/primitives.hpp"
+#include "gauge/point_state.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double whole_fill = 0.99;  // part of a cell from which on it counts as whole
+constexpr double judged_fill = 0.5;  // part of a cell from which on strain and heat are judged
+constexpr double no_strain = -1e-9;  // plastic strain below it is negative
+constexpr double no_heat = -1e-3;    // K
+constexpr long recent_steps = 100;
+
+/// Bulk modulus at rest [Pa].
+double bulk_modulus(const Material& m) {
+  const double c = bulk_sound_speed(m);
+  return density(m) * c * c;
+}
+
+/// The largest principal stress [Pa]: O. K. Smith, Comm. ACM 4 (1961) 168.
+template <int Dim>
+double largest_principal(const PointState<Dim>& p) {
+  if constexpr (Dim == 1) return std::max(p.stress[0], p.stress[1]);
+  if constexpr (Dim == 2) {
+    const double mean = 0.5 * (p.stress[0] + p.stress[1]), half = 0.5 * (p.stress[0] - p.stress[1]);
+    return std::max(mean + std::hypot(half, p.stress[2]), p.stress[3]);
+  }
+  if constexpr (Dim == 3) {
+    const double mean = -p.pressure, xx = p.stress[0] - mean, yy = p.stress[1] - mean, xy = p.stress[2],
+                 xz = p.stress[3], yz = p.stress[4], zz = p.stress[5] - mean;
+    const double j2 = 0.5 * (xx * xx + yy * yy + zz * zz) + xy * xy + xz * xz + yz * yz;
+    if (!(j2 > 0)) return mean;
+    const double j3 = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+    const double cosine = std::clamp(1.5 * std::numbers::sqrt3 * j3 / (j2 * std::sqrt(j2)), -1.0, 1.0);
+    return mean + 2 * std::sqrt(j2 / 3) * std::cos(std::acos(cosine) / 3);
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& limits)
+    : most_fill_(limits.volume_fraction), lines_(state.bodies.size()) {
+  for (const Body<Dim>& body : state.bodies) {
+    const Material& m = body.material;
+    bears_.push_back(body.rigid ? 0 : limits.largest_tension * bulk_modulus(m));
+    melts_.push_back(infinite);
+  }
+}
+
+template <int Dim>
+void StateSurvey<Dim>::merge(Finding& into, const Finding& more) {
+  into.count += more.count;
+  into.first = std::min(into.first, more.first);
+  into.last = std::max(into.last, more.last);
+  // The largest excess; among equal ones the earliest, then the first cell.
+  if (more.excess < 0) return;
+  const auto key = [](const Finding& f) { return std::tuple(-f.excess, f.time); };
+  const auto before = [&] {
+    for (int d = 0; d < Dim; ++d)
+      if (more.cell[d] != into.cell[d]) return more.cell[d] < into.cell[d];
+    return false;
+  };
+  if (into.excess < 0 || key(more) < key(into) || (key(more) == key(into) && before())) {
+    into.excess = more.excess, into.worst = more.worst, into.bound = more.bound, into.time = more.time;
+    into.cell = more.cell;
+  }
+}
+
+template <int Dim>
+void StateSurvey<Dim>::merge(Line& into, const Line& more) {
+  into.cells += more.cells;
+  into.cell_steps += more.cell_steps;  // whole numbers
+  for (std::size_t k = 0; k < state_checks; ++k) merge(into.found[k], more.found[k]);
+  into.averaged += more.averaged;
+  into.averaged_first = std::min(into.averaged_first, more.averaged_first);
+  // The place is that of the latest one, in the block with the most of them.
+  const auto key = [](const Line& l) {
+    return std::tuple(-l.averaged_last, -l.averaged_most, l.averaged_order);
+  };
+  if (more.averaged > 0 && (into.averaged == more.averaged || key(more) < key(into))) {
+    into.averaged_place = more.averaged_place;
+    into.averaged_most = more.averaged_most;
+    into.averaged_order = more.averaged_order;
+  }
+  into.averaged_last = std::max(into.averaged_last, more.averaged_last);
+}
+
+template <int Dim>
+void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, const Index<Dim>& cell,
+                                    std::size_t k, Line& line) const {
+  const Body<Dim>& body = state.bodies[m];
+  const BodyBlock<Dim>& b = body.at(slot);
+  const double volume = b.volume[k], fill = volume / state.grid().full_volume(cell);
+  const auto note = [&](StateCheck check, double excess, double value, double bound) {
+    if (excess <= 0) return;  // true for NaN as well: an error of its own
+    Finding f;
+    f.count = 1, f.first = f.last = f.time = state.time;
+    f.excess = excess, f.worst = value, f.bound = bound, f.cell = cell;
+    merge(line.found[static_cast<std::size_t>(check)], f);
+  };
+  if (fill < judged_fill) return;
+  const PointState<Dim> p = point_state(body, contents_of(b, static_cast<int>(k)), volume);
+  note(StateCheck::negative_strain, no_strain - p.plastic_strain, p.plastic_strain, 0);
+  if (body.temperature.thermal().rule == Thermal::Rule::plastic_work) {
+    const double heat = p.temperature - body.temperature.thermal().initial_temperature;
+    note(StateCheck::negative_heat, no_heat - heat, heat, 0);
+  }
+  if (fill < whole_fill) return;
+  const double rho0 = density(body.material);
+  note(StateCheck::density, std::max(least_density * rho0 - p.density, p.density - largest_density * rho0),
+       p.density, p.density > rho0 ? largest_density * rho0 : least_density * rho0);
+  const double tension = largest_principal(p);
+  note(StateCheck::tension, tension - bears_[m], tension, bears_[m]);
+  note(StateCheck::melting, p.temperature - melts_[m], p.temperature, melts_[m]);
+}
+
+template <int Dim>
+void StateSurvey<Dim>::look_at_block(const State<Dim>& state, int slot, std::vector<Line>& lines) const {
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  std::vector<double> all(static_cast<std::size_t>(layout.size()), 0.0), most(all.size(), 0.0);
+  std::vector<int> owner(all.size(), -1);
+  for (int m = 0; m < state.count(); ++m) {
+    const Body<Dim>& body = state.bodies[m];
+    if (body.rigid || !body.present(slot)) continue;
+    for_each(cells, [&](const Index<Dim>& i) {
+      const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+      const double volume = body.at(slot).volume[k];
+      if (volume == 0) return;
+      ++lines[m].cells;
+      if (volume > most[k]) most[k] = volume, owner[k] = m;
+      all[k] += volume;
+      if (volume > 0 && body.at(slot).contents[k] > 0) look_at_cell(state, m, slot, i, k, lines[m]);
+    });
+  }
+  for_each(cells, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+    const double fill = all[k] / state.grid().full_volume(i);
+    if (!(fill > most_fill_)) return;
+    Finding f;
+    f.count = 1, f.first = f.last = f.time = state.time;
+    f.excess = fill - most_fill_, f.worst = fill, f.bound = most_fill_, f.cell = i;
+    merge(lines[owner[k]].found[static_cast<std::size_t>(StateCheck::overfilled)], f);
+  });
+}
+
+template <int Dim>
+void StateSurvey<Dim>::look(const State<Dim>& state, parallel::Team* team) {
+  const int local = state.mesh.local();
+  std::vector<std::vector<Line>> blocks(static_cast<std::size_t>(local),
+                                        std::vector<Line>(state.bodies.size()));
+  const auto work = [&](int slot, int) { look_at_block(state, slot, blocks[slot]); };
+  if (team != nullptr && team->threads() > 1)
+    team->run(local, work);
+  else
+    for (int slot = 0; slot < local; ++slot) work(slot, 0);
+  const auto steps = state.step - last_;
+  last_ = state.step;
+  for (Line& line : lines_) line.cells = 0;
+  for (const auto& block : blocks)
+    for (std::size_t m = 0; m < lines_.size(); ++m) {
+      Line more = block[m];
+      more.cell_steps = static_cast<double>(more.cells * steps);
+      for (Finding& f : more.found) f.count *= steps;
+      merge(lines_[m], more);
+    }
+}
+
+template <int Dim>
+typename StateSurvey<Dim>::Recent StateSurvey<Dim>::recent(const State<Dim>& state,
+                                                           const parallel::World& world) {
+  std::array<std::int64_t, 2> sums{};
+  for (const auto& ledger : state.ledger) sums[0] += ledger.counters.averaged_states;
+  for (const Line& line : lines_) sums[1] += line.cells;
+  world.sum(sums);
+  marks_.push_back({state.step, sums[0]});
+  while (marks_.size() > 1 && marks_[1].step <= state.step - recent_steps) marks_.erase(marks_.begin());
+  const std::int64_t before = marks_.front().step <= state.step - recent_steps ? marks_.front().averaged : 0;
+  return {sums[0] - before, static_cast<double>(sums[1] * recent_steps)};
+}
+
+template <int Dim>
+std::vector<typename StateSurvey<Dim>::Line> StateSurvey<Dim>::own_lines(
+    const State<Dim>& state, const AveragedStates* averaged) const {
+  std::vector<Line> lines = lines_;
+  if (averaged == nullptr || averaged->lines.empty()) return lines;
+  for (int slot = 0; slot < state.mesh.local(); ++slot)
+    for (std::size_t m = 0; m < lines.size(); ++m) {
+      const AveragedStates::Line& from = averaged->at(slot, m);
+      if (from.count == 0) continue;
+      Line more;
+      more.averaged = more.averaged_most = from.count;
+      more.averaged_first = from.first, more.averaged_last = from.last, more.averaged_place = from.place;
+      more.averaged_order = state.mesh.block(slot).order;
+      merge(lines[m], more);
+    }
+  return lines;
+}
+
+template <int Dim>
+std::vector<BodyEvidence> StateSurvey<Dim>::told(const State<Dim>& state,
+                                                 const std::vector<Line>& lines) const {
+  std::vector<BodyEvidence> all;
+  for (std::size_t m = 0; m < lines.size(); ++m) {
+    if (state.bodies[m].rigid) continue;
+    const Line& line = lines[m];
+    BodyEvidence& e = all.emplace_back();
+    e.name = state.bodies[m].name;
+    e.cell_steps = e.looked_at = line.cell_steps;
+    e.averaged = line.averaged;
+    e.averaged_first = line.averaged_first, e.averaged_last = line.averaged_last;
+    e.averaged_place = line.averaged_place;
+    for (std::size_t k = 0; k < state_checks; ++k) {
+      const Finding& f = line.found[k];
+      e.states[k] = {f.count, f.first, f.last, f.worst, f.bound, f.time, {}};
+      const Vec<Dim> x = state.grid().centre(f.cell);
+      for (int d = 0; d < Dim; ++d) e.states[k].place[d] = x[d];
+    }
+  }
+  return all;
+}
+
+template <int Dim>
+std::vector<BodyEvidence> StateSurvey<Dim>::own_evidence(const State<Dim>& state,
+                                                         const AveragedStates* averaged) const {
+  return told(state, own_lines(state, averaged));
+}
+
+template <int Dim>
+std::vector<BodyEvidence> StateSurvey<Dim>::evidence(const State<Dim>& state, const AveragedStates* averaged,
+                                                     const parallel::World& world) const {
+  return told(state, gathered(own_lines(state, averaged), world));
+}
+
+template <int Dim>
+std::vector<typename StateSurvey<Dim>::Line> StateSurvey<Dim>::gathered(std::vector<Line> lines,
+                                                                        const parallel::World& world) {
+  parallel::Bytes bytes;
+  parallel::pack(bytes, lines.data(), lines.size());
+  std::vector<Line> sums(lines.size());
+  for (const parallel::Bytes& from : world.gather(bytes)) {
+    parallel::Unpacker reader(from);
+    reader.read(lines.data(), lines.size());
+    for (std::size_t m = 0; m < lines.size(); ++m) merge(sums[m], lines[m]);
+  }
+  return sums;
+}
+
+template <int Dim>
+void StateSurvey<Dim>::pack(const parallel::World& world, parallel::Bytes& bytes) const {
+  const std::vector<Line> all = gathered(lines_, world);
+  if (world.rank() != 0) return;
+  parallel::ArchiveWriter archive(bytes);
+  archive(all, last_, marks_);
+}
+
+template <int Dim>
+void StateSurvey<Dim>::unpack(const parallel::World& world, parallel::Unpacker& from) {
+  parallel::ArchiveReader archive(from);
+  archive(lines_, last_, marks_);
+  if (world.rank() != 0) lines_.assign(lines_.size(), {});
+}
+
+template class StateSurvey<1>;
+template class StateSurvey<2>;
+template class StateSurvey<3>;
+
+}  // namespace recoil

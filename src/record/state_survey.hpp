@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "config/section/limits.hpp"
+#include "parallel/team.hpp"
+#include "parallel/world.hpp"
+#include "record/validity.hpp"
+#include "state/averaged_states.hpp"
+#include "state/body.hpp"
+
+namespace recoil {
+
+/// Looks for states that no material has, in all cells of every survey_steps-th step: so it costs nothing
+/// that one could measure. What it finds does not depend on the number of ranks or threads.
+template <int Dim>
+class StateSurvey {
+ public:
+  StateSurvey(const State<Dim>& state, const config::Limits& limits);
+
+  /// Looks at the state of now, which stands for the steps since the last look. Not collective.
+  void look(const State<Dim>& state, parallel::Team* team);
+  /// Step of the last look.
+  long last() const { return last_; }
+  struct Recent {
+    std::int64_t averaged = 0;
+    double cell_steps = 0;
+  };
+  /// Of the last 100 steps, as far as look() has seen them; the steps that are missing count as good.
+  /// Collective.
+  Recent recent(const State<Dim>& state, const parallel::World& world);
+  /// All bodies that are not rigid; complete on rank 0. Collective.
+  std::vector<BodyEvidence> evidence(const State<Dim>& state, const AveragedStates* averaged,
+                                     const parallel::World& world) const;
+  /// The same of this process alone.
+  std::vector<BodyEvidence> own_evidence(const State<Dim>& state, const AveragedStates* averaged) const;
+
+  /// For checkpoints: all that has been found, on rank 0; and the same back, on all ranks. Collective.
+  void pack(const parallel::World& world, parallel::Bytes& bytes) const;
+  void unpack(const parallel::World& world, parallel::Unpacker& from);
+
+ private:
+  /// The finding of one body in one block or more.
+  struct Finding {
+    std::int64_t count = 0;
+    double first = std::numeric_limits<double>::infinity(), last = -1;
+    double excess = -1, worst = 0, bound = 0, time = 0;
+    Index<Dim> cell{};
+  };
+  struct Line {
+    std::int64_t cells = 0;  // of the last look
+    double cell_steps = 0;
+    std::array<Finding, state_checks> found;
+    std::int64_t averaged = 0;
+    double averaged_first = std::numeric_limits<double>::infinity(), averaged_last = -1;
+    std::array<double, 3> averaged_place{};
+    std::int64_t averaged_most = 0;  // of one block
+    long averaged_order = 0;
+  };
+  static void merge(Finding& into, const Finding& more);
+  static void merge(Line& into, const Line& more);
+  /// Those of all ranks together, on rank 0.
+  static std::vector<Line> gathered(std::vector<Line> own, const parallel::World& world);
+  std::vector<Line> own_lines(const State<Dim>& state, const AveragedStates* averaged) const;
+  std::vector<BodyEvidence> told(const State<Dim>& state, const std::vector<Line>& lines) const;
+  void look_at_block(const State<Dim>& state, int slot, std::vector<Line>& lines) const;
+  void look_at_cell(const State<Dim>& state, int body, int slot, const Index<Dim>& cell, std::size_t k,
+                    Line& line) const;
+
+  std::vector<double> bears_, melts_;  // of each body: Pa, K
+  double most_fill_;
+  std::vector<Line> lines_;  // of each body, so far
+  long last_ = 0;            // step of the last look
+  struct Mark {
+    long step = 0;
+    std::int64_t averaged = 0;
+  };
+  std::vector<Mark> marks_;  // of the last 100 steps
+};
+
+/// Steps between two looks.
+inline constexpr int survey_steps = 20;
+
+}  // namespace recoil

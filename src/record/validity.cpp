@@ -1,0 +1,216 @@
+#include "record/validity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace recoil {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// A counter that replaces or drops something, its limit, and what it did. `averaged-states` is judged body
+/// by body.
+struct CounterLimit {
+  const char* name;
+  double config::Limits::*limit;
+  const char* text;
+};
+using L = config::Limits;
+constexpr std::array counter_limits{
+    CounterLimit{"first-order-faces", &L::first_order_faces, "faces took the state of their cell"},
+    CounterLimit{"faces-without-value", &L::faces_without_value, "faces lacked a value"},
+    CounterLimit{"cuts-without-donor", &L::cuts_without_donor, "cut cells had no fit"},
+    CounterLimit{"ghosts-without-wall", &L::ghosts_without_wall, "cells beyond a surface had no wall"},
+    CounterLimit{"averages-kept", &L::averages_kept, "averages of the stage before were kept"},
+    CounterLimit{"fragments-too-thin", &L::fragments_too_thin, "fragments were too thin to be used"},
+    CounterLimit{"real-cells-without-contents", &L::real_cells_without_contents,
+                 "cells inside a body held nothing of it"},
+    CounterLimit{"uncovered-cells-without-value", &L::uncovered_cells_without_value,
+                 "uncovered cells had no value"},
+    CounterLimit{"clamped-fit-densities", &L::clamped_fit_densities, "densities at surfaces were clamped"},
+    CounterLimit{"clamped-ghost-densities", &L::clamped_ghost_densities, "densities of ghosts were clamped"},
+    CounterLimit{"unmerged-fragments", &L::unmerged_fragments, "small fragments had no partner"},
+    CounterLimit{"lone-fragments-moved", &L::lone_fragments_moved,
+                 "lone fragments were moved to the nearest large one"},
+    CounterLimit{"capped-speeds", &L::capped_speeds, "speeds of surfaces were capped"},
+    CounterLimit{"volume-bounds", &L::volume_bounds, "volumes of cut cells passed their bounds"},
+    CounterLimit{"volume-bounds-left", &L::volume_bounds_left, "volumes stayed beyond their bounds"},
+    CounterLimit{"floored-sound-speeds", &L::floored_sound_speeds, "speeds of sound were floored"}};
+
+/// What a finding about states is called, how a value of it is written, and what limits it.
+struct StateText {
+  const char *name, *text, *unit;
+  double factor;
+  double config::Limits::*limit;
+};
+constexpr std::array<StateText, state_checks> state_texts{
+    {{"density", "had a density outside of 0.5 to 2.5 of that at rest", "kg/m3", 1, &L::density},
+     {"tension", "were under more tension than the material bears", "GPa", 1e-9, &L::tension},
+     {"melting", "were hotter than the melting temperature", "K", 1, &L::melting},
+     {"negative-plastic-strain", "had a plastic strain below zero", "", 1, &L::negative_plastic_strain},
+     {"negative-heating", "were colder than at the start", "K", 1, &L::negative_heating},
+     {"overfilled-cells", "held more matter than there is room", "cells", 1, &L::overfilled_cells}}};
+
+std::string percent(double part) { return fmt::format("{:.2g} %", 100 * part); }
+
+std::string place_text(const std::array<double, 3>& at, int dimensions) {
+  std::string text;
+  for (int d = 0; d < dimensions; ++d) text += fmt::format("{}{:.4g}", d > 0 ? ", " : "", at[d] * 1e3);
+  return "(" + text + ") mm";
+}
+
+std::string span_text(double first, double last) {
+  if (first == last) return fmt::format("at {:.4g} us", first * 1e6);
+  return fmt::format("from {:.4g} to {:.4g} us", first * 1e6, last * 1e6);
+}
+
+std::vector<double> coordinates(const std::array<double, 3>& at, int dimensions) {
+  return {at.begin(), at.begin() + dimensions};
+}
+
+double part_of(double count, double all) { return all > 0 ? count / all : count > 0 ? 1 : 0; }
+
+void judge_averages(const Evidence& e, const config::Limits& limits, Verdict& v) {
+  std::int64_t all = 0;
+  for (const BodyEvidence& b : e.bodies) all += b.averaged;
+  for (const BodyEvidence& b : e.bodies) {
+    const double part = part_of(static_cast<double>(b.averaged), b.cell_steps);
+    if (!(part > limits.averaged_states)) continue;
+    v.reasons.push_back(
+        {"averaged-states", b.name,
+         fmt::format(
+             "{} of the cell states of {} replaced (averaged-states {}, {}), {}, last at {}", percent(part),
+             b.name, b.averaged, b.averaged == all ? "all of them" : "of " + std::to_string(all),
+             span_text(b.averaged_first, b.averaged_last), place_text(b.averaged_place, e.dimensions)),
+         part, limits.averaged_states, b.averaged_first, b.averaged_last,
+         coordinates(b.averaged_place, e.dimensions)});
+  }
+  const double recent = part_of(static_cast<double>(e.recent_averaged), e.recent_cell_steps);
+  if (recent > limits.averaged_states_stop)
+    v.reasons.push_back({"averaged-states-stop",
+                         "",
+                         fmt::format("{} of the cell states of the last 100 steps replaced, the limit is {}",
+                                     percent(recent), percent(limits.averaged_states_stop)),
+                         recent,
+                         limits.averaged_states_stop,
+                         unknown,
+                         unknown,
+                         {},
+                         true});
+}
+
+void judge_counters(const Evidence& e, const config::Limits& limits, Verdict& v) {
+  double cell_steps = 0;
+  for (const BodyEvidence& b : e.bodies) cell_steps += b.cell_steps;
+  for (const CounterLimit& c : counter_limits) {
+    const auto found = std::find_if(e.counters.begin(), e.counters.end(),
+                                    [&](const auto& counter) { return counter.first == c.name; });
+    if (found == e.counters.end()) continue;
+    const double part = part_of(static_cast<double>(found->second), cell_steps);
+    if (!(part > limits.*c.limit)) continue;
+    v.reasons.push_back({c.name,
+                         "",
+                         fmt::format("{} ({} {}, {} of the cell states; the limit is {})", c.text, c.name,
+                                     found->second, percent(part), percent(limits.*c.limit)),
+                         part,
+                         limits.*c.limit,
+                         unknown,
+                         unknown,
+                         {}});
+  }
+}
+
+void judge_budgets(const Evidence& e, const config::Limits& limits, Verdict& v) {
+  if (!e.conservative) {
+    v.notes.emplace_back(
+        "budgets are not judged: this scheme does not keep mass, momentum and energy at surfaces");
+    return;
+  }
+  for (const Drift& d : e.budgets)
+    for (const auto& [name, error] :
+         {std::pair{"mass", d.mass}, {"momentum", d.momentum}, {"energy", d.energy}}) {
+      if (error <= limits.budget) continue;  // NaN is no closed budget
+      const bool stops = !(error <= limits.budget_stop);
+      v.reasons.push_back({stops ? "budget-stop" : "budget",
+                           d.name == "total" ? "" : d.name,
+                           fmt::format("the {} of {} is off by {:.1e}, the limit is {:.1e}", name,
+                                       d.name == "total" ? "all bodies together" : d.name, error,
+                                       stops ? limits.budget_stop : limits.budget),
+                           error,
+                           stops ? limits.budget_stop : limits.budget,
+                           unknown,
+                           unknown,
+                           {},
+                           stops});
+    }
+}
+
+void judge_states(const Evidence& e, const config::Limits& limits, Verdict& v) {
+  for (const BodyEvidence& b : e.bodies)
+    for (std::size_t k = 0; k < state_checks; ++k) {
+      const StateFinding& f = b.states[k];
+      const StateText& t = state_texts[k];
+      const double part = part_of(static_cast<double>(f.count), b.looked_at);
+      if (!(part > limits.*t.limit)) continue;
+      v.reasons.push_back(
+          {t.name, b.name,
+           fmt::format("{} of the cell states of {} {} ({}, {}; worst {:.4g}{}{} at {}, {:.4g} us)",
+                       percent(part), b.name, t.text, t.name, span_text(f.first, f.last), f.worst * t.factor,
+                       *t.unit != 0 ? " " : "", t.unit, place_text(f.place, e.dimensions),
+                       f.worst_time * 1e6),
+           part, limits.*t.limit, f.first, f.last, coordinates(f.place, e.dimensions)});
+    }
+}
+
+void judge_thickness(const Evidence& e, const config::Limits& limits, Verdict& v) {
+  for (const BodyEvidence& b : e.bodies) {
+    if (!(b.thickness > 0 && b.thickness < limits.thickness * (1 - 1e-9))) continue;
+    v.reasons.push_back({"thickness",
+                         b.name,
+                         fmt::format("{} is {:.3g} cells thick at the start, at least {:.3g} are needed",
+                                     b.name, b.thickness, limits.thickness),
+                         b.thickness,
+                         limits.thickness,
+                         0,
+                         0,
+                         {}});
+  }
+}
+
+}  // namespace
+
+const char* name_of(StateCheck check) { return state_texts[static_cast<std::size_t>(check)].name; }
+
+const char* name_of(Verdict::Kind kind) {
+  constexpr std::array names{"valid", "doubtful", "stopped"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+Verdict judge(const Evidence& e, const config::Limits& limits) {
+  Verdict v;
+  if (!e.failure.empty())
+    v.reasons.push_back({"error",
+                         "",
+                         e.failure.substr(0, e.failure.find('\n')),
+                         unknown,
+                         unknown,
+                         unknown,
+                         unknown,
+                         {},
+                         true});
+  judge_averages(e, limits, v);
+  judge_budgets(e, limits, v);
+  judge_states(e, limits, v);
+  judge_counters(e, limits, v);
+  judge_thickness(e, limits, v);
+  std::stable_sort(v.reasons.begin(), v.reasons.end(),
+                   [](const Reason& a, const Reason& b) { return a.stops && !b.stops; });
+  if (!v.reasons.empty()) v.kind = v.reasons[0].stops ? Verdict::Kind::stopped : Verdict::Kind::doubtful;
+  return v;
+}
+
+}  // namespace recoil

@@ -1,0 +1,120 @@
+#include "record/validity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace recoil {
+namespace {
+
+Evidence flyer_and_target() {
+  Evidence e;
+  e.dimensions = 2;
+  for (const char* name : {"flyer", "target"}) {
+    BodyEvidence& b = e.bodies.emplace_back();
+    b.name = name;
+    b.cell_steps = b.looked_at = 1e6;
+    b.thickness = 40;
+  }
+  e.budgets = {{"total", 1e-15, 1e-15, 1e-15}, {"flyer", 1e-14, 1e-14, 1e-14}, {"target", 0, 0, 0}};
+  return e;
+}
+
+Verdict judged(const Evidence& e, const config::Limits& limits = {}) { return judge(e, limits); }
+
+TEST(Validity, ARunWithNothingBeyondALimitIsValid) {
+  Evidence e = flyer_and_target();
+  e.bodies[0].averaged = 10;  // 1e-5 of its states
+  e.counters = {{"averaged-states", 10}, {"volume-bounds", 20000}, {"3^d-neighbourhoods", 1000000}};
+  const Verdict v = judged(e);
+  EXPECT_EQ(v.kind, Verdict::Kind::valid);
+  EXPECT_TRUE(v.reasons.empty());
+  EXPECT_TRUE(v.notes.empty());
+}
+
+TEST(Validity, ReplacedStatesAreJudgedBodyByBody) {
+  Evidence e = flyer_and_target();
+  e.bodies[1].cell_steps = 1e9;  // a large body does not hide a small one
+  e.bodies[0].averaged = 4000;
+  e.bodies[0].averaged_first = 1e-6, e.bodies[0].averaged_last = 2e-6;
+  e.bodies[0].averaged_place = {0.001, 0.002, 0};
+  const Verdict v = judged(e);
+  ASSERT_EQ(v.reasons.size(), 1U);
+  EXPECT_EQ(v.kind, Verdict::Kind::doubtful);
+  EXPECT_EQ(v.reasons[0].body, "flyer");
+  EXPECT_EQ(v.reasons[0].text,
+            "0.4 % of the cell states of flyer replaced (averaged-states 4000, all of them), from 1 to 2 us, "
+            "last at "
+            "(1, 2) mm");
+  EXPECT_DOUBLE_EQ(v.reasons[0].value, 4e-3);
+  EXPECT_EQ(v.reasons[0].place.size(), 2U);
+  config::Limits wide;
+  wide.averaged_states = 0.01;
+  EXPECT_EQ(judged(e, wide).kind, Verdict::Kind::valid);
+}
+
+TEST(Validity, TooManyReplacedStatesOfTheLastStepsStopARun) {
+  Evidence e = flyer_and_target();
+  e.recent_averaged = 200, e.recent_cell_steps = 20000;
+  EXPECT_EQ(judged(e).kind, Verdict::Kind::valid);
+  e.recent_averaged = 201;
+  const Verdict v = judged(e);
+  EXPECT_EQ(v.kind, Verdict::Kind::stopped);
+  EXPECT_EQ(v.reasons[0].what, "averaged-states-stop");
+}
+
+TEST(Validity, OpenBudgetsAreDoubtfulAndThenStop) {
+  Evidence e = flyer_and_target();
+  e.budgets[1].energy = 2e-9;
+  Verdict v = judged(e);
+  EXPECT_EQ(v.kind, Verdict::Kind::doubtful);
+  EXPECT_EQ(v.reasons.at(0).what, "budget");
+  EXPECT_EQ(v.reasons.at(0).body, "flyer");
+  e.budgets[0].mass = 2e-6;
+  v = judged(e);
+  EXPECT_EQ(v.kind, Verdict::Kind::stopped);
+  EXPECT_EQ(v.reasons.at(0).what, "budget-stop") << "what stops comes first";
+  e.budgets[0].mass = std::nan("");
+  EXPECT_EQ(judged(e).kind, Verdict::Kind::stopped);
+}
+
+TEST(Validity, SchemesThatKeepNothingAreNotJudgedByBudgets) {
+  Evidence e = flyer_and_target();
+  e.conservative = false;
+  e.budgets[1].mass = 0.02;
+  const Verdict v = judged(e);
+  EXPECT_EQ(v.kind, Verdict::Kind::valid);
+  ASSERT_EQ(v.notes.size(), 1U);
+  EXPECT_NE(v.notes[0].find("budgets are not judged"), std::string::npos);
+}
+
+TEST(Validity, EveryOtherFindingHasALimitOfItsOwn) {
+  Evidence e = flyer_and_target();
+  e.counters = {{"capped-speeds", 100}};  // 5e-5 of 2e6
+  EXPECT_EQ(judged(e).reasons.at(0).what, "capped-speeds");
+  e.counters = {{"capped-speeds", 20}};
+  EXPECT_TRUE(judged(e).reasons.empty());
+  for (std::size_t k = 0; k < state_checks; ++k) {
+    Evidence one = flyer_and_target();
+    one.bodies[1].states[k].count = 900000;
+    const Verdict v = judged(one);
+    ASSERT_EQ(v.reasons.size(), 1U);
+    EXPECT_EQ(v.reasons[0].what, name_of(static_cast<StateCheck>(k)));
+    EXPECT_EQ(v.reasons[0].body, "target");
+  }
+  e.bodies[0].thickness = 3.9;
+  EXPECT_EQ(judged(e).reasons.at(0).what, "thickness");
+}
+
+TEST(Validity, AnErrorStops) {
+  Evidence e = flyer_and_target();
+  e.failure = "the density of flyer is not a number\n   = help: none";
+  const Verdict v = judged(e);
+  EXPECT_EQ(v.kind, Verdict::Kind::stopped);
+  EXPECT_EQ(v.reasons.at(0).text, "the density of flyer is not a number");
+}
+
+}  // namespace
+}  // namespace recoil
