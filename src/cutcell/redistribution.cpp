@@ -239,6 +239,17 @@ class Redistribution {
       const double u1 = q1[c] / volume_[one], u2 = q2[c] / volume_[two];
       m.slope[c] = minmod((m.mean[c] - u1) / (x0 - x1), (u1 - u2) / (x1 - x2));
     }
+    for (const int c : {Components<Dim>::ep, Components<Dim>::temperature_rise}) keep_positive(h, m, c);
+  }
+
+  /// Flattens the slope of what cannot fall below zero until neither of the pair does. What the pair holds
+  /// stays.
+  void keep_positive(const Neighbourhood& h, Merged& m, int c) const {
+    const auto at = static_cast<std::size_t>(c);
+    double lowest = 0;
+    for (int j = 0; j < h.members; ++j)
+      lowest = std::min(lowest, m.slope[at] * (centroid(members_[h.first + j])[h.axis] - m.centre[h.axis]));
+    if (m.mean[at] + lowest < 0) m.slope[at] *= m.mean[at] > 0 ? -m.mean[at] / lowest : 0;
   }
 
   Q new_contents(int k) {
