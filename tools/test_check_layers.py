@@ -46,7 +46,7 @@ class LayerRule(unittest.TestCase):
         self.assertIn("contact may not include layer 6 cutcell", found[0])
 
     def test_angle_brackets_do_not_hide_our_own_folders(self):
-        self.assertEqual(len(breaches({"src/field/halo.hpp": "#include <app/simulation.hpp>\n"})), 1)
+        self.assertEqual(len(breaches({"src/field/halo.hpp": "#include <app/run/simulation.hpp>\n"})), 1)
 
     def test_own_headers_are_named_from_the_root(self):
         self.assertEqual(len(breaches({"src/core/a.cpp": '#include "a.hpp"\n'})), 1)

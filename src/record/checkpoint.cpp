@@ -38,8 +38,7 @@ void read_exactly(F&& f) {
 
 template <int Dim>
 void write_checkpoint(const std::filesystem::path& path, const std::string& text, const State<Dim>& state,
-                      const AveragedStates& averaged, Recorder<Dim>& recorder,
-                      const parallel::World& world) {
+                      const AveragedStates& averaged, Recorder<Dim>& recorder, const parallel::World& world) {
   BlockFileHead head{text, {}};
   if (world.rank() == 0) pack_whole(state, head.whole);
   recorder.pack_whole(head.whole);

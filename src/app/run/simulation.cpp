@@ -1,4 +1,4 @@
-#include "app/simulation.hpp"
+#include "app/run/simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "app/checkpoint_folder.hpp"
+#include "app/check/estimate.hpp"
 #include "app/command_line.hpp"
-#include "app/estimate.hpp"
-#include "app/stop_request.hpp"
-#include "app/verdict.hpp"
+#include "app/run/checkpoint_folder.hpp"
+#include "app/run/stop_request.hpp"
+#include "app/run/verdict.hpp"
 #include "core/build_info.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
@@ -168,7 +168,8 @@ template <int Dim>
 void Simulation<Dim>::save() {
   const auto file = checkpoint_file(options_.folder, state_.step);
   if (world_.rank() == 0) std::filesystem::create_directories(file.parent_path());
-  write_checkpoint(file, to_json(describe(loaded_, options_.overrides)), state_, engine_.averaged, *recorder_, world_);
+  write_checkpoint(file, to_json(describe(loaded_, options_.overrides)), state_, engine_.averaged, *recorder_,
+                   world_);
   if (world_.rank() == 0) remove_old_checkpoints(options_.folder, case_.output.checkpoint.keep);
   checkpoint_due_.done(state_.time);
   saved_at_ = wall();

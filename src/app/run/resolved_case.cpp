@@ -1,4 +1,4 @@
-#include "app/resolved_case.hpp"
+#include "app/run/resolved_case.hpp"
 
 #include <fmt/format.h>
 

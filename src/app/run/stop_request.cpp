@@ -1,4 +1,4 @@
-#include "app/stop_request.hpp"
+#include "app/run/stop_request.hpp"
 
 #include <csignal>
 #include <initializer_list>

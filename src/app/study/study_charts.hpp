@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/study_table.hpp"
+#include "app/study/study_table.hpp"
 
 namespace recoil::app {
 

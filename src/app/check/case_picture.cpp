@@ -1,4 +1,4 @@
-#include "app/case_picture.hpp"
+#include "app/check/case_picture.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/study_table.hpp"
+#include "app/study/study_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/reporter.hpp"
+#include "app/run/reporter.hpp"
 #include "record/summary.hpp"
 
 namespace recoil::app {

@@ -1,4 +1,4 @@
-#include "app/verify_table.hpp"
+#include "app/study/verify_table.hpp"
 
 #include <fmt/format.h>
 

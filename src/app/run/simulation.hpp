@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/checkpoint_folder.hpp"
 #include "app/load_case.hpp"
-#include "app/reporter.hpp"
+#include "app/run/checkpoint_folder.hpp"
+#include "app/run/reporter.hpp"
 #include "gauge/due.hpp"
 #include "parallel/team.hpp"
 #include "parallel/world.hpp"

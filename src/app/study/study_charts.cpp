@@ -1,4 +1,4 @@
-#include "app/study_charts.hpp"
+#include "app/study/study_charts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/resolved_case.hpp"
+#include "app/run/resolved_case.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <regex>
 #include <string>
 
-#include "../support/scratch_folder.hpp"
+#include "../../support/scratch_folder.hpp"
 
 namespace recoil::app {
 namespace {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "app/case_picture.hpp"
+#include "app/check/case_picture.hpp"
+#include "app/check/estimate.hpp"
+#include "app/check/prediction.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/estimate.hpp"
 #include "app/load_case.hpp"
-#include "app/prediction.hpp"
 #include "core/error.hpp"
 
 namespace recoil::app {

@@ -1,4 +1,4 @@
-#include "app/field_plot.hpp"
+#include "app/plot/field_plot.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/plot_file.hpp"
+#include "app/plot/plot_file.hpp"
 #include "config/geometry.hpp"
 #include "config/read_case.hpp"
 #include "config/units.hpp"

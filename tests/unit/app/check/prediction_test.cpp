@@ -1,4 +1,4 @@
-#include "app/prediction.hpp"
+#include "app/check/prediction.hpp"
 
 #include <gtest/gtest.h>
 

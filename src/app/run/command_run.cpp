@@ -16,13 +16,13 @@
 #include <thread>
 #include <vector>
 
-#include "app/checkpoint_folder.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/launch.hpp"
 #include "app/load_case.hpp"
-#include "app/run_folder.hpp"
-#include "app/simulation.hpp"
+#include "app/run/checkpoint_folder.hpp"
+#include "app/run/run_folder.hpp"
+#include "app/run/simulation.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/reporter.hpp"
+#include "app/run/reporter.hpp"
 
 #include <fmt/format.h>
 

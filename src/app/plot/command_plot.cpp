@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/field_plot.hpp"
-#include "app/plot_file.hpp"
+#include "app/plot/field_plot.hpp"
+#include "app/plot/plot_file.hpp"
 #include "config/units.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"

@@ -1,4 +1,4 @@
-#include "app/checkpoint_folder.hpp"
+#include "app/run/checkpoint_folder.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/verdict.hpp"
+#include "app/run/verdict.hpp"
 
 #include <fmt/format.h>
 

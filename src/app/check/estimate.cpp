@@ -1,4 +1,4 @@
-#include "app/estimate.hpp"
+#include "app/check/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/plot_file.hpp"
+#include "app/plot/plot_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/verify_table.hpp"
+#include "app/study/verify_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "../support/scratch_folder.hpp"
+#include "../../support/scratch_folder.hpp"
 #include "record/summary.hpp"
 
 namespace recoil::app {

@@ -15,14 +15,14 @@
 #include <utility>
 #include <vector>
 
+#include "app/check/estimate.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/data_folder.hpp"
-#include "app/estimate.hpp"
 #include "app/launch.hpp"
 #include "app/load_case.hpp"
-#include "app/resolved_case.hpp"
-#include "app/verify_table.hpp"
+#include "app/run/resolved_case.hpp"
+#include "app/study/verify_table.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
 

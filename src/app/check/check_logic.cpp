@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/estimate.hpp"
+#include "app/check/estimate.hpp"
 #include "app/load_case.hpp"
 #include "config/geometry.hpp"
 #include "material/lint.hpp"

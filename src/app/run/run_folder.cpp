@@ -1,4 +1,4 @@
-#include "app/run_folder.hpp"
+#include "app/run/run_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
-#include "app/checkpoint_folder.hpp"
-#include "app/resolved_case.hpp"
+#include "app/run/checkpoint_folder.hpp"
+#include "app/run/resolved_case.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
 
