@@ -1,0 +1,253 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "config/shape/shape.hpp"
+#include "core/error.hpp"
+#include "format/csv.hpp"
+#include "gauge/due.hpp"
+#include "gauge/gauges.hpp"
+#include "gauge/pair_sampler.hpp"
+#include "parallel/archive.hpp"
+#include "record/field_dump.hpp"
+#include "record/findings.hpp"
+#include "record/history.hpp"
+#include "record/lift_off.hpp"
+#include "record/recorder.hpp"
+#include "record/state_survey.hpp"
+#include "record/validity.hpp"
+
+/// What a Recorder is made of. For its own .cpp files only.
+namespace recoil {
+
+inline double wall_clock() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+template <int Dim>
+std::vector<std::string> names_of(const State<Dim>& state) {
+  std::vector<std::string> names;
+  for (const auto& body : state.bodies) names.push_back(body.name);
+  return names;
+}
+
+template <int Dim>
+std::vector<bool> rigid_bodies(const State<Dim>& state) {
+  std::vector<bool> rigid;
+  for (const auto& body : state.bodies) rigid.push_back(body.rigid && !body.rigid->mass);
+  return rigid;
+}
+
+inline std::array<bool, 3> closed_axes(const config::Domain& domain) {
+  std::array<bool, 3> closed{};
+  for (std::size_t d = 0; d < 3; ++d)
+    for (const config::Boundary b : domain.boundary[d])
+      closed[d] = closed[d] || b == config::Boundary::symmetry || b == config::Boundary::axis;
+  return closed;
+}
+
+inline void write_events(const std::filesystem::path& path, const std::vector<Event>& events) {
+  CsvWriter file(path, {"time [us]", "event", "bodies", "place [mm]", "detail"});
+  for (const Event& e : events) {
+    std::string place;
+    for (const double x : e.place)
+      place += (place.empty() ? "" : " ") + format_number(std::round(x * 1e9) / 1e6 + 0.0);
+    file.row({e.time * 1e6, e.kind, e.bodies, place, e.detail});
+  }
+  file.flush();
+}
+
+template <int Dim>
+struct Recorder<Dim>::Parts {
+  const config::Case& case_;
+  const parallel::World& world;
+  std::filesystem::path directory;
+  parallel::Team* team;
+  RunUnits units;
+  std::vector<std::string> names;
+  std::vector<bool> rigid;
+  OrderedSums sums;
+  PairSampler<Dim> sampler;
+  Gauges<Dim> gauges;
+  EventWatch events;
+  LiftOffWatch<Dim> lift_off;
+  BudgetWatch<Dim> budget;
+  std::optional<History<Dim>> history;
+  FieldDump<Dim> fields;
+  StateSurvey<Dim> survey;
+  bool stopped = false;
+  Due history_due, fields_due;
+  std::vector<PairSample> pairs;
+  double history_last = -1, started = 0, status_last = 0, dt = 0;
+  std::size_t events_written = 0;
+
+  Parts(const config::Case& c, const State<Dim>& state, const parallel::World& w, std::filesystem::path d,
+        parallel::Team* t)
+      : case_(c),
+        world(w),
+        directory(std::move(d)),
+        team(t),
+        units(run_units(c.domain.geometry)),
+        names(names_of(state)),
+        rigid(rigid_bodies(state)),
+        sampler(state.count(), sums),
+        gauges(c, state, w, make_folder("gauges"), sums),
+        events(names, c.domain.geometry, closed_axes(c.domain)),
+        budget(names, rigid, units.balanced),
+        fields(make_folder("fields"), case_name(c), c.output.fields.variables),
+        survey(state, c.limits),
+        history_due(c.output.history.every),
+        fields_due(c.output.fields.every),
+        pairs(pair_count()) {}
+
+  void open_tables(CsvMode mode) {
+    if (!first()) return;
+    history.emplace(directory / "history.csv", names, rigid, units, mode);
+    write_events(directory / "events.csv", events.events());
+    events_written = events.events().size();
+  }
+
+  bool first() const { return world.rank() == 0; }
+  std::size_t pair_count() const { return names.size() * (names.size() - 1) / 2; }
+  std::filesystem::path make_folder(const char* name) const {
+    std::error_code error;
+    if (first()) std::filesystem::create_directories(directory / name, error);
+    if (error)
+      throw EnvironmentError("cannot make the folder '" + (directory / name).string() +
+                             "': " + error.message());
+    return directory / name;
+  }
+
+  void collect(const State<Dim>& state, bool at_rest, bool all = false) {
+    sums.clear();
+    sampler.collect(state, sums);
+    gauges.collect(state, sums, at_rest, all);
+    sums.reduce(world);
+    if (first()) pairs = sampler.read(sums);
+  }
+
+  void look(const Totals<Dim>& totals, bool write_history) {
+    budget.look(totals);
+    if (!write_history || !(totals.time > history_last)) return;
+    history->row(totals, budget.now());
+    history_last = totals.time;
+  }
+
+  void look_for_lift_off(const State<Dim>& state) {
+    if (Dim == 1) return;
+    lift_off.note(state);
+    if (state.step % opening_steps != 0) return;
+    const auto places = lift_off.collect(state, world);
+    if (!first()) return;
+    const std::vector<PairStory> stories = events.stories();
+    for (const auto& place : places) {
+      const auto pair = static_cast<std::size_t>(place.pair);
+      if (!stories[pair].open && pairs[pair].area > 0)
+        events.lift_off(pair, place.time, {place.at.c.begin(), place.at.c.end()});
+    }
+  }
+
+  void save_events() {
+    if (!first() || events.events().size() == events_written) return;
+    events_written = events.events().size();
+    write_events(directory / "events.csv", events.events());
+  }
+
+  void dump_if_due(const State<Dim>& state) {
+    // Without an interval only the first and the last picture are wanted.
+    if (case_.output.fields.every <= 0 || !fields_due.at(state.time)) return;
+    fields.write(state, world);
+    fields_due.done(state.time);
+  }
+
+  void save_status(const State<Dim>& state, const std::string& what) {
+    const double now = wall_clock(), wall = now - started;
+    const double done = case_.time.end > 0 ? state.time / case_.time.end : 1;
+    status_last = now;
+    write_status(directory / "status.json",
+                 {what, state.time, case_.time.end, dt, state.step, wall,
+                  done > 0 ? wall * std::max(0.0, 1 - done) / done : 0, budget.worst()});
+  }
+
+  void flush() {
+    if (!first()) return;
+    history->flush();
+    gauges.flush();
+  }
+
+  std::vector<std::pair<std::string, std::int64_t>> count_floors(const State<Dim>& state) const {
+    Counters all;
+    for (const auto& ledger : state.ledger) all += ledger.counters;
+    std::vector<std::int64_t> counts;
+    for (const auto& [name, count] : all.list()) counts.push_back(*count);
+    world.sum(counts);
+    std::vector<std::pair<std::string, std::int64_t>> floors;
+    for (const auto& [name, count] : all.list()) floors.emplace_back(name, counts[floors.size()]);
+    return floors;
+  }
+
+  /// What is known beside `bodies`; budgets on rank 0 only.
+  Evidence evidence_of(std::vector<BodyEvidence> bodies) const {
+    Evidence e;
+    e.dimensions = Dim;
+    e.conservative = case_.method.scheme == "conservative";
+    e.bodies = std::move(bodies);
+    for (BodyEvidence& b : e.bodies)
+      for (const config::Body& body : case_.bodies)
+        if (body.name == b.name)
+          b.thickness = config::thickness(body.shape, case_.domain) / case_.mesh.finest;
+    e.budgets = budget.worst();
+    return e;
+  }
+
+  /// Stops the run where it has passed a limit that says so. Collective.
+  void stop_beyond_limits(const State<Dim>& state, bool looked) {
+    const bool due = state.step % survey_steps == 0;
+    if (!due && !looked) return;
+    Evidence e = evidence_of({});
+    if (due) {
+      survey.look(state, team);
+      const auto recent = survey.recent(state, world);
+      e.recent_averaged = recent.averaged, e.recent_cell_steps = recent.cell_steps;
+    }
+    const Verdict verdict = judge(e, case_.limits);
+    stopped = world.any(verdict.kind == Verdict::Kind::stopped);
+    if (!stopped) return;
+    std::string text = "beyond a limit that stops a run";
+    if (first()) text = verdict.reasons.front().text;
+    throw PhysicsError(fmt::format("stopped at {:.6g} us: {}", state.time * 1e6, text));
+  }
+
+  /// Collective; complete on rank 0.
+  Verdict verdict_on(const State<Dim>& state, const Summary& s, const RunFacts& facts) {
+    if (survey.last() < state.step) survey.look(state, team);
+    const auto recent = survey.recent(state, world);
+    Evidence e = evidence_of(survey.evidence(state, facts.averaged, world));
+    e.recent_averaged = recent.averaged, e.recent_cell_steps = recent.cell_steps;
+    e.counters = s.floors;
+    return judge(e, case_.limits);
+  }
+
+  Quantities quantities(const Totals<Dim>& totals,
+                        const std::vector<std::pair<std::string, std::int64_t>>& floors, long steps) const {
+    Quantities q = find_quantities(totals, names, rigid, units, budget.worst(), events, floors, steps);
+    q.gauges = gauges.series();
+    q.folder = std::filesystem::path(case_.file).parent_path();
+    return q;
+  }
+};
+
+}  // namespace recoil
