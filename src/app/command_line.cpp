@@ -5,10 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,16 @@ std::string version_text() {
   return fmt::format("recoil {} ({}, {}, {}{})", version, describe, compiler, build_type,
                      native ? ", for this machine's processor" : "");
 }
+
+/// Processes, threads, runs at a time.
+const CLI::Validator count(
+    [](const std::string& text) {
+      int n = 0;
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+      const bool good = error == std::errc() && end == text.data() + text.size() && n >= 1;
+      return good ? std::string() : fmt::format("'{}' is no whole number of 1 or more", text);
+    },
+    "INT");
 
 /// The commands, their options, and which one is to be run.
 struct Commands {
@@ -79,10 +91,10 @@ struct Commands {
     CLI::App* c = command(top, "run", "run a case", [this] { return app::run(run); });
     c->add_option("case", run.file, "case file, or its folder")->required()->type_name("CASE");
     c->add_option("-o,--output", run.folder, "output folder (default: runs/NAME)")->type_name("DIR");
-    c->add_option("-n,--ranks", run.ranks, "processes, started with mpirun")->check(CLI::PositiveNumber);
+    c->add_option("-n,--ranks", run.ranks, "processes, started with mpirun")->check(count);
     c->add_option("-j,--threads", run.threads,
                   "threads of each process; without it 1 in 1d, else all processors")
-        ->check(CLI::PositiveNumber);
+        ->check(count);
     add_set(*c, run.overrides);
     c->add_option("--end", run.end, "end at this time instead of time.end")->type_name("TIME");
     c->add_option("--wall", run.wall, wall_doc)->type_name("TIME");
@@ -100,10 +112,10 @@ struct Commands {
     c->add_option("--from", resume.from, "go on from this checkpoint instead of the newest")
         ->type_name("FILE");
     add_set(*c, resume.overrides);
-    c->add_option("-n,--ranks", resume.ranks, "processes, started with mpirun")->check(CLI::PositiveNumber);
+    c->add_option("-n,--ranks", resume.ranks, "processes, started with mpirun")->check(count);
     c->add_option("-j,--threads", resume.threads,
                   "threads of each process; without it 1 in 1d, else all processors")
-        ->check(CLI::PositiveNumber);
+        ->check(count);
     c->add_option("--wall", resume.wall, wall_doc)->type_name("TIME");
     c->add_flag("-q,--quiet", resume.quiet, "print errors and the verdict only");
     c->add_flag("-v,--verbose", resume.verbose, "print where the time went, too");
@@ -185,7 +197,7 @@ struct Commands {
     c->add_flag("--quick", verify.quick, "only the cheapest cases: a few minutes");
     c->add_flag("--list", verify.list, "list the cases and the time each takes, and exit");
     c->add_option("-j,--jobs", verify.jobs, "number of runs at a time (default: one per processor)")
-        ->check(CLI::PositiveNumber);
+        ->check(count);
     c->add_flag("--reuse", verify.reuse, "reuse finished runs of exactly the same case");
     c->add_option("--write", verify.write, "also write the table to this file")->type_name("FILE.md");
     c->add_option("-o,--output", verify.folder, "output folder (default: runs/verify)")->type_name("DIR");

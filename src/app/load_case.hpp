@@ -17,6 +17,7 @@ struct LoadedCase {
   config::Case contents;            // with the expectations of expected.toml beside the file
   std::vector<Material> materials;  // one for each body; rigid bodies have an empty one
   config::Diagnostics found;        // mistakes and warnings
+  bool too_large = false;           // needs more memory than the machine has: an error of the environment
   std::filesystem::path folder;     // of the file
 };
 
@@ -34,8 +35,9 @@ std::string short_name(const std::filesystem::path& case_file);
 LoadedCase load_case(const std::string& word, const std::vector<std::string>& overrides,
                      const std::filesystem::path& home = {});
 
-/// Checks that need more than single values, for cases without errors so far: overlapping bodies, bodies
-/// outside the domain or too thin, gauges off their body, doubtful constants of materials.
+/// Checks that need more than single values, for cases without errors so far: more cells than the machine has
+/// memory for, fields and intervals that do not exist, bodies that overlap, lie outside the domain, are cut
+/// off or too thin, gauges off their body, doubtful materials, bodies that do not meet or meet too fast.
 void check_logic(LoadedCase& loaded);
 
 }  // namespace recoil::app

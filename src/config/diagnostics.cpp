@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "config/text_faults.hpp"
 #include "core/error.hpp"
 
 namespace recoil::config {
@@ -46,16 +47,8 @@ void Diagnostics::warning(Place place, std::string message, std::string help) {
 
 std::string_view Diagnostics::line_of(const Place& place) const {
   const auto found = sources_.find(place.file);
-  if (found == sources_.end() || place.line < 1) return {};
-  std::string_view rest = found->second;
-  for (int n = 1; n < place.line; ++n) {
-    const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos) return {};
-    rest.remove_prefix(end + 1);
-  }
-  rest = rest.substr(0, rest.find('\n'));
-  if (rest.ends_with('\r')) rest.remove_suffix(1);
-  return rest;
+  return found == sources_.end() || place.line < 1 ? std::string_view()
+                                                   : config::line_of(found->second, place.line);
 }
 
 std::string Diagnostics::text(const Diagnostic& one) const {

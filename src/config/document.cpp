@@ -5,12 +5,14 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
+#include "config/text_faults.hpp"
 #include "config/unquoted.hpp"
 
 namespace recoil::config {
@@ -150,11 +152,72 @@ struct Converter {
 };
 
 std::string syntax_message(std::string_view description) {
-  if (const std::size_t at = description.find("cannot redefine existing "); at != std::string_view::npos)
-    return "given twice: " + std::string(description.substr(at));
   constexpr std::string_view start = "Error while parsing ";
   if (description.starts_with(start)) description.remove_prefix(start.size());
   return "this is no TOML: " + std::string(description);
+}
+
+std::string_view without_blanks(std::string_view s) {
+  const std::size_t first = s.find_first_not_of(" \t"), last = s.find_last_not_of(" \t");
+  return first == std::string_view::npos ? std::string_view() : s.substr(first, last - first + 1);
+}
+
+/// What stands between the brackets of a table's header [a.b]; empty: the line is none.
+std::string_view header_of(std::string_view line) {
+  line = without_blanks(line);
+  if (!line.starts_with('[')) return {};
+  line = line.substr(0, line.find(']'));
+  return without_blanks(line.substr(std::min(line.find_first_not_of('['), line.size())));
+}
+
+/// The line in which a key or table that the parser met again in `line` was given first; 0: not found.
+int first_line_of(std::string_view text, std::string_view key, int line) {
+  const std::string_view repeated = header_of(line_of(text, line));
+  std::string header;
+  for (int n = line - 1; n > 0 && repeated.empty() && header.empty(); --n)
+    header = header_of(line_of(text, n));
+  std::size_t end = 0;
+  for (int n = 1; n < line; ++n) end = text.find('\n', end) + 1;
+  Diagnostics ignored;
+  const Document before = parse_document(std::string(text.substr(0, end)), "", ignored);
+  const Node* table = header.empty() ? &before.root : before.find(header);
+  const Node* first = !repeated.empty() ? before.find(repeated) : table ? table->find(key) : nullptr;
+  if (first) return first->key_place.line;
+  const bool same_line = line_of(text, line).find(key) != line_of(text, line).rfind(key);
+  return same_line ? line : 0;
+}
+
+/// The last word in quotes of the parser's "cannot redefine existing string 'end'".
+std::string_view repeated_key(std::string_view description) {
+  const std::size_t last = description.rfind('\'');
+  if (last == std::string_view::npos || last == 0) return {};
+  const std::size_t first = description.rfind('\'', last - 1);
+  return first == std::string_view::npos ? std::string_view()
+                                         : description.substr(first + 1, last - first - 1);
+}
+
+void report_repeated(std::string_view text, std::string_view description, const Place& place,
+                     Diagnostics& out) {
+  const std::string_view key = repeated_key(description);
+  const int first = first_line_of(text, key, place.line);
+  out.error(place, fmt::format("'{}' is given twice", key),
+            first == 0            ? "take out one of the two"
+            : first == place.line ? "the first stands before it in the same line; take out one of the two"
+                                  : fmt::format("the first stands in line {}: {}; take out one of the two",
+                                                first, without_blanks(line_of(text, first))));
+}
+
+/// Reports what keeps a text from being parsed at all. @return whether there was something.
+bool report_faults(const std::string& text, const std::string& name, Diagnostics& out) {
+  if (without_blanks(line_of(text, 1)).empty() && text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    out.error({name, 0, 0, 1}, "the file is empty",
+              "`recoil explain` lists what a case holds; cases/ has examples to start from");
+    return true;
+  }
+  std::optional<TextFault> fault = find_foreign_byte(text);
+  if (!fault) fault = find_open_quote(text);
+  if (fault) out.error({name, fault->line, fault->column, 1}, fault->message, fault->help);
+  return fault.has_value();
 }
 
 }  // namespace
@@ -165,7 +228,11 @@ Document parse_document(std::string text, std::string name, Diagnostics& out) {
   doc.text = std::move(text);
   doc.root.kind = Node::Kind::table;
   doc.root.place = doc.root.key_place = Place{doc.name, 0, 0, 1};
-  out.source(doc.name, doc.text);
+  out.source(doc.name, shown(doc.text));
+  if (report_faults(doc.text, doc.name, out)) {
+    doc.complete = false;
+    return doc;
+  }
   QuoteRepairs repairs;
   std::string current = doc.text;
   // Each repair takes away one mistake of syntax, so this ends.
@@ -182,7 +249,11 @@ Document parse_document(std::string text, std::string name, Diagnostics& out) {
                   "'" + word->text + "' needs quotes: " + word->why, "write \"" + word->text + "\"");
         continue;
       }
-      out.error({doc.name, line, repairs.original_column(line, column), 1}, syntax_message(e.description()));
+      const Place place{doc.name, line, repairs.original_column(line, column), 1};
+      if (e.description().find("cannot redefine existing ") != std::string_view::npos)
+        report_repeated(doc.text, e.description(), place, out);
+      else
+        out.error(place, syntax_message(e.description()));
       doc.complete = false;
       return doc;
     }
@@ -191,9 +262,8 @@ Document parse_document(std::string text, std::string name, Diagnostics& out) {
 
 Document read_document(const std::string& path, Diagnostics& out) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  if (file) content << file.rdbuf();
-  if (!file || content.fail()) {
+  std::string content(std::istreambuf_iterator<char>(file), {});
+  if (!file || file.bad() || std::filesystem::is_directory(path)) {
     Document doc;
     doc.name = path;
     doc.root.kind = Node::Kind::table;
@@ -201,7 +271,7 @@ Document read_document(const std::string& path, Diagnostics& out) {
     out.error({path, 0, 0, 1}, "cannot read '" + path + "'", "give the path of a file, e.g. case.toml");
     return doc;
   }
-  return parse_document(content.str(), path, out);
+  return parse_document(std::move(content), path, out);
 }
 
 namespace {

@@ -41,13 +41,12 @@ void report_missing(const Node& table, const Key& key, const Owner& owner, Diagn
 
 double read_quantity(const Node& node, const std::string& name, const std::string& unit, Diagnostics& out,
                      const std::string& example) {
-  if (node.is_number() && dimensionless(unit)) {
-    if (!std::isfinite(node.number)) {
-      out.error(node.place, fmt::format("'{}' must be finite", name));
-      return 0;
-    }
-    return node.number;
+  if (node.is_number() && !std::isfinite(node.number)) {
+    out.error(node.place, fmt::format("'{}' must be finite, but is {}", name, node.text),
+              example.empty() ? std::string("write a number") : fmt::format("write {} = {}", name, example));
+    return 0;
   }
+  if (node.is_number() && dimensionless(unit)) return node.number;
   if (node.is_number()) {
     out.error(node.place,
               fmt::format("'{}' is a bare number, but needs a unit of [{}]", name, dimension_name(unit)),

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "config/unit_habits.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
 
@@ -146,6 +147,27 @@ std::string name_of(const ut_unit* unit) {
   return d ? std::string(d->name) : base_units(unit);
 }
 
+/// Reports a unit that cannot be what was meant. @return whether it was one.
+bool is_habit(Quantity& q, std::string_view text) {
+  const std::string_view meant = meant_by(q.unit);
+  if (meant.empty()) return false;
+  q.problem = fmt::format("unknown unit '{}' in '{}'", q.unit, text);
+  q.help = fmt::format("did you mean '{}'?", meant);
+  return true;
+}
+
+/// The usual unit of the dimension that is needed and differs from `unit` by capital letters only ("gpa",
+/// which udunits reads as giga-pico-are); empty: none.
+std::string with_other_capitals(std::string_view unit, const ut_unit* needed) {
+  for (const char* usual :
+       {"GPa", "MPa", "kPa", "Pa", "mm", "km", "us", "ns", "kg", "km/s", "m/s", "kJ", "K"}) {
+    if (usual == unit || !differs_in_capitals(usual, unit)) continue;
+    const Unit known = parse_unit(usual);
+    if (known && base_units(known.get()) == base_units(needed)) return usual;
+  }
+  return {};
+}
+
 /// Help for a unit that udunits does not know.
 std::string nearest_unit(std::string_view unit) {
   static const std::vector<std::string> common{"m",   "mm",  "cm",  "um",  "nm",   "km",   "s",  "ms",   "us",
@@ -183,6 +205,7 @@ double convert(double value, ut_unit* from, ut_unit* to) {
 
 struct Split {
   bool number = false;
+  bool infinite = false;  // "nan", "inf", or beyond the range of numbers
   double value = 0;
   std::string_view digits;  // the number as written
   std::string_view rest;
@@ -211,9 +234,14 @@ Split split_number(std::string_view text) {
   std::string_view t = text;
   if (t.starts_with('+')) t.remove_prefix(1);
   const std::string_view digits = t.starts_with('-') ? t.substr(1) : t;
+  for (const char* word : {"nan", "inf", "NaN", "Inf", "INF", "NAN"})
+    if (digits.starts_with(word)) s.infinite = true;
   if (digits.empty() || !(is_digit(digits[0]) || digits[0] == '.')) return s;  // keeps "inf" and "nan" out
   const auto [end, error] = std::from_chars(t.data(), t.data() + t.size(), s.value);
-  if (error != std::errc() || !std::isfinite(s.value)) return s;
+  if (error != std::errc() || !std::isfinite(s.value)) {
+    s.infinite = true;
+    return s;
+  }
   s.number = true;
   s.digits = std::string_view(t.data(), static_cast<std::size_t>(end - t.data()));
   s.rest = trimmed(t.substr(static_cast<std::size_t>(end - t.data())));
@@ -237,6 +265,11 @@ std::string example(std::string_view si) {
 /// Number and unit of a text; the SI value is left to the caller.
 Quantity split_quantity(std::string_view text, const Split& s, std::string_view si, std::string_view name) {
   Quantity q;
+  if (s.infinite) {
+    q.problem = fmt::format("'{}' must be finite, but is '{}'", name, text);
+    q.help = "write " + example(si);
+    return q;
+  }
   if (!s.number) {
     q.problem = fmt::format("'{}' is not a quantity: '{}' needs a number and a unit", text, name);
     q.help = "write " + example(si);
@@ -263,6 +296,7 @@ Quantity parse_quantity(std::string_view text, std::string_view si_unit, std::st
     q.help = "write " + example(si);
     return q;
   }
+  if (is_habit(q, text)) return q;
   const Unit unit = parse_unit(q.unit.empty() ? "1" : q.unit), target = parse_unit(si);
   require(target != nullptr, "a key's own unit is known");
   if (!unit) {
@@ -273,10 +307,15 @@ Quantity parse_quantity(std::string_view text, std::string_view si_unit, std::st
   if (base_units(unit.get()) != base_units(target.get())) {
     q.problem = fmt::format("'{}' has dimension [{}], but '{}' needs [{}]", text, name_of(unit.get()), name,
                             name_of(target.get()));
-    q.help = "write " + example(si);
+    const std::string meant = with_other_capitals(q.unit, target.get());
+    q.help = meant.empty() ? "write " + example(si) : "did you mean '" + meant + "'?";
     return q;
   }
   q.value = convert_text(split.digits, q.written, unit.get(), target.get());
+  if (!std::isfinite(q.value)) {
+    q.problem = fmt::format("'{}' must be finite, but '{}' is beyond the range of numbers", name, text);
+    q.help = "write " + example(si);
+  }
   return q;
 }
 
@@ -287,6 +326,7 @@ Quantity parse_any_quantity(std::string_view text, std::string_view name) {
     q.value = q.written;
     return q;
   }
+  if (is_habit(q, text)) return q;
   const Unit unit = parse_unit(q.unit);
   const Dimension* d = unit ? dimension_of(unit.get()) : nullptr;
   if (!unit) {
@@ -296,6 +336,7 @@ Quantity parse_any_quantity(std::string_view text, std::string_view name) {
     q.problem = fmt::format("'{}' has dimension [{}], which no result has", text, base_units(unit.get()));
   } else {
     q.value = convert_text(split.digits, q.written, unit.get(), parse_unit(d->si).get());
+    if (!std::isfinite(q.value)) q.problem = fmt::format("'{}' is beyond the range of numbers", text);
   }
   return q;
 }

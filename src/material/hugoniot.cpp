@@ -73,6 +73,8 @@ class Shock {
     return at_density(rising_root(behind, eos_.rho0, top));
   }
 
+  double largest_velocity() const { return at_density(last_density()).velocity; }
+
  private:
   ShockState at_density(double rho) const {
     if (!yields() || rho <= elastic_density_) return jump(rest_, rho);
@@ -209,12 +211,22 @@ ShockState shock_at_velocity(const Material& material, double velocity) {
   return with_shock(material, [&](const auto& shock) { return shock.at_velocity(velocity); });
 }
 
+double largest_velocity(const Material& material) {
+  return with_shock(material, [&](const auto& shock) { return shock.largest_velocity(); });
+}
+
 Impact match_impact(const Material& flyer, const Material& target, double closing) {
   return with_shock(flyer, [&](const auto& a) {
     return with_shock(target, [&](const auto& b) {
       const auto pull = [&](double u) { return b.at_velocity(u).stress - a.at_velocity(closing - u).stress; };
+      // Within what both of them reach.
+      const double lo = std::max(0.0, closing - a.largest_velocity() * (1 - 1e-9));
+      const double hi = std::min(closing, b.largest_velocity() * (1 - 1e-9));
+      if (!(lo < hi) || pull(lo) > 0 || pull(hi) < 0)
+        throw PhysicsError("no shock state at a closing velocity of " + std::to_string(closing) +
+                           " m/s: the equations of state do not reach it");
       Impact impact;
-      impact.velocity = rising_root(pull, 0, closing);
+      impact.velocity = rising_root(pull, lo, hi);
       impact.target = b.at_velocity(impact.velocity);
       impact.flyer = a.at_velocity(closing - impact.velocity);
       impact.stress = impact.target.stress;

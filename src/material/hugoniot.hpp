@@ -33,6 +33,10 @@ struct ShockState {
 /// @throws PhysicsError where no admissible density reaches that velocity.
 ShockState shock_at_velocity(const Material& material, double velocity);
 
+/// The largest velocity [m/s] that shock_at_velocity() reaches: at the end of the equation of state's range
+/// (MieGruneisen::guard), or where no shock is strong enough.
+double largest_velocity(const Material& material);
+
 /// What two plates do that meet face to face at speed `closing`.
 struct Impact {
   double velocity = 0;  // m/s, of the interface, in the frame in which the target was at rest

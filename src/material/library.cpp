@@ -30,6 +30,9 @@ std::vector<Key> top_keys(bool in_case) {
   std::vector<Key> keys{
       {.name = "title", .type = Key::Type::text, .doc = "one line for people"},
       {.name = "cite", .type = Key::Type::texts, .doc = "sources of the numbers"},
+      {.name = "doubt",
+       .type = Key::Type::text,
+       .doc = "what may be wrong with the numbers; `check` and `material show` say it"},
       {.name = "eos",
        .type = Key::Type::table,
        .required = true,
@@ -249,6 +252,7 @@ std::optional<Material> read_material(const std::string& name, const Node& table
   material.name = name;
   material.title = record.text("title");
   material.cite = record.texts("cite");
+  material.doubt = record.text("doubt");
   if (record.good("eos")) read_model(*record.node("eos"), eos_doc, material.eos, out);
   if (record.good("strength")) read_model(*record.node("strength"), strength_doc, material.strength, out);
   if (record.good("thermal")) material.thermal = read_thermal(*record.node("thermal"), out);
@@ -282,7 +286,9 @@ std::string to_toml(const Material& m, const std::string& table) {
   std::string text = table.empty() ? "" : "[" + table + "]\n";
   text += "title = " + quoted(m.title) + "\ncite = [";
   for (std::size_t i = 0; i < m.cite.size(); ++i) text += (i > 0 ? ", " : "") + quoted(m.cite[i]);
-  text += "]\n\n[" + prefix + "eos]\n" + model_lines(m.eos);
+  text += "]\n";
+  if (!m.doubt.empty()) text += "doubt = " + quoted(m.doubt) + "\n";
+  text += "\n[" + prefix + "eos]\n" + model_lines(m.eos);
   text += "\n[" + prefix + "strength]\n" + model_lines(m.strength);
   const bool by_energy = m.thermal.rule == Thermal::Rule::energy;
   text += "\n[" + prefix + "thermal]\ntemperature = " + (by_energy ? "\"energy\"\n" : "\"plastic-work\"\n");

@@ -25,10 +25,12 @@ void check_heat(const Material& m, Findings& out) {
     const double expected = 3 * 8.314462618 / m.facts.molar_mass;
     if (c < 0.6 * expected || c > 1.7 * expected)
       out.push_back({value + " is " + number(c / expected, "") + " times the rule of Dulong and Petit",
-                     "3 R/M is " + number(expected, "J/(kg K)") + "; are two materials exchanged?"});
+                     "3 R/M is " + number(expected, "J/(kg K)") + "; are two materials exchanged?",
+                     "thermal.specific-heat"});
   } else if (const double volumetric = c * density(m); volumetric < 1.1e6 || volumetric > 5.5e6) {
     out.push_back({value + " is unusual for " + number(density(m), "kg/m3"),
-                   "c rho is " + number(volumetric / 1e6, "MJ/(m3 K)") + "; solids have 1.1 to 5.5"});
+                   "c rho is " + number(volumetric / 1e6, "MJ/(m3 K)") + "; solids have 1.1 to 5.5",
+                   "thermal.specific-heat"});
   }
 }
 
@@ -40,7 +42,7 @@ void check_moduli(const Material& m, Findings& out) {
   const std::string values = "shear modulus " + number(g / 1e9, "GPa") + " and bulk modulus rho c0^2 " +
                              number(k / 1e9, "GPa") + " give Poisson's ratio " + number(implied, "");
   if (implied < 0.05 || implied > 0.49) {
-    out.push_back({values, "metals have 0.2 to 0.45"});
+    out.push_back({values, "metals have 0.2 to 0.45", "strength.shear-modulus"});
     return;
   }
   const double nu = m.facts.poisson_ratio;
@@ -48,17 +50,37 @@ void check_moduli(const Material& m, Findings& out) {
   const double from_nu = 1.5 * k * (1 - 2 * nu) / (1 + nu);
   if (std::fabs(from_nu - g) > 0.12 * g)
     out.push_back({values + ", but poisson-ratio is " + number(nu, ""),
-                   "that would need a shear modulus of " + number(from_nu / 1e9, "GPa")});
+                   "that would need a shear modulus of " + number(from_nu / 1e9, "GPa"),
+                   "facts.poisson-ratio"});
 }
 
+/// What the yield stress at rest is called in the model's own table.
+const char* yield_key(const Material& m) {
+  return std::holds_alternative<JohnsonCook>(m.strength) ? "strength.a" : "strength.yield";
+}
+
+/// The ideal strength of a crystal is about G/(2 pi) (Frenkel 1926): half of G is no yield stress.
 void check_yield(const Material& m, Findings& out) {
   const double t = m.thermal.initial_temperature;
   const double y = std::visit([&](const auto& s) { return s.yield(0, 0, t); }, m.strength);
   const double g = shear_modulus(m);
   if (!(g > 0) || std::isinf(y)) return;
   if (y > 5e9 || y > 0.1 * g)
-    out.push_back({"yield stress " + number(y / 1e9, "GPa") + " is implausible",
-                   "no metal exceeds about 5 GPa, nor a tenth of its shear modulus; 0.4 GPa is 0.004 Mbar"});
+    out.push_back({"yield stress " + number(y / 1e9, "GPa") + " is implausible beside the shear modulus " +
+                       number(g / 1e9, "GPa"),
+                   "no metal exceeds about 5 GPa, nor a tenth of its shear modulus: is it " +
+                       number(y / 1e9, "MPa") + "?",
+                   yield_key(m), y > 0.5 * g});
+}
+
+/// Foams begin at some 100 kg/m3, osmium has 22590 kg/m3. Without strength it may be a gas or a powder.
+void check_density(const Material& m, Findings& out) {
+  const double rho = density(m);
+  if (rho >= 100 && rho <= 23000) return;
+  const bool from_grams = rho < 25;
+  out.push_back({"density " + number(rho, "kg/m3") + " is that of no solid",
+                 from_grams ? "is it " + number(rho, "g/cm3") + "?" : "solids have 100 to 23000 kg/m3",
+                 "eos.density", shear_modulus(m) > 0});
 }
 
 void check_melting(const Material& m, Findings& out) {
@@ -66,7 +88,7 @@ void check_melting(const Material& m, Findings& out) {
   if (jc && m.thermal.initial_temperature >= jc->melting_temperature)
     out.push_back({"initial temperature " + number(m.thermal.initial_temperature, "K") +
                        " is not below the melting temperature " + number(jc->melting_temperature, "K"),
-                   "the material starts without strength"});
+                   "the material starts without strength", "strength.melting-temperature"});
 }
 
 void check_hugoniot(const Material& m, Findings& out) {
@@ -74,15 +96,18 @@ void check_hugoniot(const Material& m, Findings& out) {
   if (!eos) return;
   if (eos->s < 0.8 || eos->s > 2.2)
     out.push_back(
-        {"slope s " + number(eos->s, "") + " of the Hugoniot is unusual", "solids have 0.8 to 2.2"});
+        {"slope s " + number(eos->s, "") + " of the Hugoniot is unusual", "solids have 0.8 to 2.2", "eos.s"});
   if (eos->gamma0 < 0.3 || eos->gamma0 > 3.5)
-    out.push_back({"gamma0 " + number(eos->gamma0, "") + " is unusual", "solids have 0.3 to 3.5"});
+    out.push_back(
+        {"gamma0 " + number(eos->gamma0, "") + " is unusual", "solids have 0.3 to 3.5", "eos.gamma0"});
 }
 
 }  // namespace
 
 std::vector<Suspicion> lint(const Material& material) {
   Findings out;
+  check_density(material, out);
+  if (!out.empty()) return out;  // the others would only follow from that
   check_heat(material, out);
   check_moduli(material, out);
   check_yield(material, out);

@@ -33,6 +33,7 @@ struct Material {
   Strength strength;
   Thermal thermal;
   Facts facts;
+  std::string doubt;  // what its constants may be wrong in; empty: no doubt is known
 };
 
 /// Density at rest [kg/m3].

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "app/check/checks.hpp"
 #include "app/check/estimate.hpp"
 #include "app/load_case.hpp"
 #include "config/geometry.hpp"
-#include "material/lint.hpp"
 #include "problem/shape.hpp"
 #include "problem/start.hpp"
 
@@ -26,6 +25,10 @@ using config::Gauge;
 /// Cells across the thinnest part that a body needs before its waves keep their plateau: with 20 a flyer
 /// leaves 5 % too slowly, with 4 a third.
 constexpr double cells_needed = 20;
+
+/// The same for shapes whose thickness is only sampled, of their thinnest part: a wedge has a thin end on
+/// purpose.
+constexpr double least_cells = 4;
 
 /// Thinner rigid bodies that lie askew let matter past: in some cells no node lies between their two sides. A
 /// band of 1.2 cells at slope 1/6 bears all of its contact, one of 0.9 cells 90 %, one of 0.5 cells half.
@@ -45,16 +48,18 @@ void check_rigid_thickness(LoadedCase& loaded, const Body& body, double t) {
 void check_thickness(LoadedCase& loaded) {
   const Case& c = loaded.contents;
   for (const Body& body : c.bodies) {
-    const double t = thickness(body.shape, c.domain);
+    const bool plain = thickness(body.shape, c.domain) < 1e300;
+    const double t = plain || body.rigid ? thickness(body.shape, c.domain) : least_thickness(body.shape, c);
+    const double needed = plain ? cells_needed : least_cells;
     if (body.rigid) check_rigid_thickness(loaded, body, t);
-    if (body.rigid || t > (cells_needed - 1e-6) * c.mesh.finest) continue;
-    const double cure = t / cells_needed;
+    if (body.rigid || t > (needed - 1e-6) * c.mesh.finest || t < 0.999 * c.mesh.finest) continue;
+    const double cure = t / needed;
     const double cost = std::pow(c.mesh.finest / cure, 1 + config::dimension(c.domain.geometry));
     loaded.found.warning(body.shape.place,
                          fmt::format("'{}' is {:.3g} cells thick; about {:.0f} are needed", body.name,
-                                     t / c.mesh.finest, cells_needed),
+                                     t / c.mesh.finest, needed),
                          fmt::format("finest = \"{:.3g} mm\" gives {:.0f}, for {:.2g} times the time",
-                                     cure * 1e3, cells_needed, cost));
+                                     cure * 1e3, needed, cost));
   }
 }
 
@@ -88,34 +93,41 @@ void check_gauges(LoadedCase& loaded) {
         g.kind);
 }
 
+/// A body of which no cell's middle lies inside would not be there.
 void check_places(LoadedCase& loaded) {
   const Case& c = loaded.contents;
   const std::vector<double> cells = cells_of_bodies(c);
-  for (std::size_t m = 0; m < c.bodies.size(); ++m)
-    if (cells[m] == 0)
-      loaded.found.error(c.bodies[m].shape.place,
-                         fmt::format("nothing of '{}' lies in the domain", c.bodies[m].name),
+  for (std::size_t m = 0; m < c.bodies.size(); ++m) {
+    const Body& body = c.bodies[m];
+    const double t = least_thickness(body.shape, c);
+    if (!body.rigid && t < 0.999 * c.mesh.finest)
+      loaded.found.error(body.shape.place,
+                         fmt::format("'{}' is thinner than a cell: {:.3g} mm, {:.2g} cells", body.name,
+                                     t * 1e3, t / c.mesh.finest),
+                         fmt::format("finest = \"{:.3g} mm\" gives {:.0f} cells, the least that makes sense",
+                                     t / least_cells * 1e3, least_cells));
+    else if (cells[m] == 0)
+      loaded.found.error(body.shape.place, fmt::format("nothing of '{}' lies in the domain", body.name),
                          "move it, make the domain larger, or use smaller cells");
-}
-
-void check_materials(LoadedCase& loaded) {
-  std::set<std::string> seen;
-  for (std::size_t m = 0; m < loaded.materials.size(); ++m) {
-    const Body& body = loaded.contents.bodies[m];
-    if (body.rigid || !seen.insert(body.material).second) continue;
-    for (const Suspicion& s : lint(loaded.materials[m]))
-      loaded.found.warning(body.material_place, fmt::format("material '{}': {}", body.material, s.message),
-                           s.help);
   }
 }
 
 }  // namespace
 
+config::Place place_of(const LoadedCase& loaded, const std::string& dotted, const config::Place& otherwise) {
+  const config::Node* node = loaded.document.find(dotted);
+  return node ? node->place : otherwise;
+}
+
 void check_logic(LoadedCase& loaded) {
   const Case& c = loaded.contents;
+  check_size(loaded);
+  if (loaded.too_large) return;  // all that follows looks at its cells
+  check_output(loaded);
   find_overlaps(c, loaded.found);
   check_places(loaded);
   check_thickness(loaded);
+  check_edges(loaded);
   switch (config::dimension(c.domain.geometry)) {
     case 1:
       check_gauges<1>(loaded);
@@ -127,6 +139,7 @@ void check_logic(LoadedCase& loaded) {
       check_gauges<3>(loaded);
   }
   check_materials(loaded);
+  if (!loaded.found.has_errors()) check_motion(loaded);  // shocks in matter that exists
 }
 
 }  // namespace recoil::app

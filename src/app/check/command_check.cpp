@@ -25,6 +25,7 @@ struct Report {
   std::string file;
   LoadedCase loaded;
   std::vector<PlatePrediction> predictions;
+  std::vector<TouchPrediction> touches;
   Estimate cost;
   bool good() const { return !loaded.found.has_errors(); }
 };
@@ -44,7 +45,8 @@ Report look_at(const std::string& file, const std::vector<std::string>& override
   r.loaded = load_case(file, overrides);
   if (r.good()) check_logic(r.loaded);
   if (!r.good()) return r;
-  for (const PlatePair& pair : find_plate_pairs(r.loaded.contents)) {
+  const std::vector<PlatePair> pairs = find_plate_pairs(r.loaded.contents);
+  for (const PlatePair& pair : pairs) {
     try {
       r.predictions.push_back(predict(pair, r.loaded.contents, r.loaded.materials));
     } catch (const PhysicsError& e) {
@@ -52,6 +54,7 @@ Report look_at(const std::string& file, const std::vector<std::string>& override
                              fmt::format("no impact state can be predicted: {}", e.what()));
     }
   }
+  r.touches = predict_touches(r.loaded.contents, r.loaded.materials, pairs);
   r.cost = estimate(r.loaded.contents, fastest_of(r));
   return r;
 }
@@ -83,8 +86,10 @@ void print_report(const Report& r) {
     return;
   }
   fmt::print("{}: {}\n", r.file, c.title.empty() ? "no errors found" : c.title);
-  if (!r.predictions.empty()) fmt::print("predicted (one-dimensional waves, no rate dependence)\n");
+  if (!r.predictions.empty() || !r.touches.empty())
+    fmt::print("predicted (one-dimensional waves, no rate dependence)\n");
   for (const PlatePrediction& p : r.predictions) fmt::print("{}", describe(p, c));
+  for (const TouchPrediction& p : r.touches) fmt::print("{}", describe(p, c));
   fmt::print("{}", scheme_note(c));
   fmt::print(
       "cost\n  {:.3g} cells, {:.3g} of them with matter; {:.3g} steps of about {:.3g} ns\n"
@@ -107,7 +112,8 @@ Json shock_json(const ShockState& s) {
 }
 
 Json prediction_json(const PlatePrediction& p, const config::Case& c) {
-  constexpr const char* partings[] = {"flyer-release", "target-release", "neutral", "unknown", "never"};
+  constexpr const char* partings[] = {"flyer-release", "target-release", "neutral",
+                                      "unknown",       "sides",          "never"};
   Json j{{"flyer", c.bodies[p.pair.flyer].name},
          {"target", c.bodies[p.pair.target].name},
          {"contact", p.contact},
@@ -115,7 +121,8 @@ Json prediction_json(const PlatePrediction& p, const config::Case& c) {
          {"interface_velocity", p.velocity},
          {"interface_stress", p.stress},
          {"opens", number(p.opens)},
-         {"opens_by", partings[static_cast<int>(p.parting)]}};
+         {"opens_by", partings[static_cast<int>(p.parting)]},
+         {"sides", number(p.sides)}};
   if (!p.flyer_rigid) j["flyer_shock"] = shock_json(p.flyer_shock);
   if (!p.target_rigid) j["target_shock"] = shock_json(p.target_shock);
   if (p.shock_arrival > 0)
@@ -123,9 +130,19 @@ Json prediction_json(const PlatePrediction& p, const config::Case& c) {
                  {"precursor_velocity", p.precursor_surface_velocity},
                  {"shock_arrival", p.shock_arrival},
                  {"plateau_velocity", p.plateau_surface_velocity},
+                 {"plateau_is_bound", p.plateau_is_bound},
                  {"release_arrival", number(p.release_arrival)},
                  {"overtaking_depth", number(p.overtaking_depth)}};
   return j;
+}
+
+Json touch_json(const TouchPrediction& p, const config::Case& c) {
+  const Approach& a = p.approach;
+  return {{"bodies", {c.bodies[a.first].name, c.bodies[a.second].name}},
+          {"time", a.time},
+          {"closing", a.closing},
+          {"sliding", a.sliding},
+          {"stress", p.stress}};
 }
 
 Json report_json(const Report& r) {
@@ -142,6 +159,8 @@ Json report_json(const Report& r) {
   j["predicted"] = Json::array();
   for (const PlatePrediction& p : r.predictions)
     j["predicted"].push_back(prediction_json(p, r.loaded.contents));
+  j["touches"] = Json::array();
+  for (const TouchPrediction& p : r.touches) j["touches"].push_back(touch_json(p, r.loaded.contents));
   j["cost"] = {{"cells", r.cost.cells},   {"material_cells", r.cost.material_cells},
                {"step", r.cost.step},     {"steps", r.cost.steps},
                {"memory", r.cost.memory}, {"seconds", r.cost.seconds}};
@@ -163,7 +182,7 @@ int check(const CheckOptions& options) {
     if (!r.good()) code = exit_bad_input;
     if (!options.png.empty() && r.good()) draw_case(r.loaded.contents, options.png);
   }
-  if (options.json) fmt::print("{}\n", all.dump(2));
+  if (options.json) fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
   return code;
 }
 

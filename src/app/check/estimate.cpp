@@ -56,8 +56,7 @@ Estimate make_estimate(const config::Case& c, double fastest) {
     if (!c.bodies[m].rigid) e.material_cells += cells[m];
   e.step = c.time.fixed_dt ? *c.time.fixed_dt : c.time.cfl * c.mesh.finest / fastest;
   e.steps = std::ceil(c.time.end / e.step);
-  // Blocks at a surface are partly empty: half as much again.
-  e.memory = 50e6 + 1.5 * e.material_cells * bytes_per_cell<Dim>();
+  e.memory = 50e6 + e.material_cells * bytes_of_cell(Dim);
   e.seconds = e.steps * e.material_cells * cell_seconds[Dim - 1];
   return e;
 }
@@ -84,6 +83,11 @@ Estimate estimate(const config::Case& c, double fastest) {
     default:
       return make_estimate<3>(c, fastest);
   }
+}
+
+double bytes_of_cell(int dim) {
+  // Blocks at a surface are partly empty: half as much again.
+  return 1.5 * (dim == 1 ? bytes_per_cell<1>() : dim == 2 ? bytes_per_cell<2>() : bytes_per_cell<3>());
 }
 
 double fastest_at_start(const config::Case& c, const std::vector<Material>& materials) {

@@ -24,6 +24,9 @@ struct Estimate {
 /// @param fastest largest sum over the axes of |u| + c_L to be expected [m/s]
 Estimate estimate(const config::Case& c, double fastest);
 
+/// Memory of one cell full of matter [bytes], with its share of the cells of blocks that are partly empty.
+double bytes_of_cell(int dim);
+
 /// Signal speed of a case at its start [m/s]: the largest of |u| + c_L over its bodies, per axis.
 double fastest_at_start(const config::Case& c, const std::vector<Material>& materials);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <variant>
 
 #include "config/geometry.hpp"
 
@@ -56,11 +57,19 @@ bool nothing_between(const std::vector<Extent>& all, std::size_t body, std::size
   return true;
 }
 
+/// Whether the ends of a plain shape along an axis are flat: of a cylinder only those along its own.
+bool flat_along(const config::Shape& shape, std::size_t axis) {
+  const auto* cylinder = std::get_if<config::Cylinder>(&shape.form);
+  return !cylinder || extent_of(shape, Geometry::space).plain == false ||
+         std::abs(cylinder->axis[axis]) > 0.5;
+}
+
 /// The pair whose face `low.hi` meets `high.lo`, if they close in.
 std::optional<PlatePair> pair_along(const Case& c, const std::vector<Extent>& all, std::size_t low,
                                     std::size_t high, std::size_t axis) {
   const int dim = config::dimension(c.domain.geometry);
   const Extent &a = all[low], &b = all[high];
+  if (!flat_along(c.bodies[low].shape, axis) || !flat_along(c.bodies[high].shape, axis)) return std::nullopt;
   const double gap = b.lo[axis] - a.hi[axis];
   const double closing = c.bodies[low].velocity[axis] - c.bodies[high].velocity[axis];
   if (!a.plain || !b.plain || !beside(a, b, axis, dim) || !(gap > -1e-9) || !std::isfinite(gap) ||
@@ -155,6 +164,18 @@ void predict_rear(PlatePrediction& p, const Impact& impact, const Material& flye
   if (head > s.shock_speed) p.overtaking_depth = s.shock_speed * head * start / (head - s.shock_speed);
 }
 
+/// One-dimensional waves end where the releases from the sides arrive.
+void keep_before_sides(PlatePrediction& p) {
+  const double release = std::max(p.flyer_shock.release_speed, p.target_shock.release_speed);
+  p.sides = p.contact + p.pair.half_width / release;
+  if (std::isfinite(p.opens) && p.opens > p.sides) {
+    p.opens = endless;
+    p.parting = Parting::by_sides;
+  }
+  p.plateau_is_bound =
+      p.shock_arrival > 0 && (p.overtaking_depth < p.pair.target_thickness || p.shock_arrival > p.sides);
+}
+
 std::string shock_line(const std::string& name, const ShockState& s) {
   std::string text = fmt::format("    {:<12} shock {:.0f} m/s, {:.0f} kg/m3, pressure {:.4g} GPa", name,
                                  s.shock_speed, s.density, s.pressure * 1e-9);
@@ -169,10 +190,11 @@ std::string shock_line(const std::string& name, const ShockState& s) {
 std::string rear_lines(const PlatePrediction& p, const std::string& target) {
   std::string text = fmt::format("  rear face of '{}'\n", target);
   if (p.precursor_arrival)
-    text += fmt::format("    {:<12} precursor, to {:.4g} m/s\n",
-                        fmt::format("{:.4g} us", *p.precursor_arrival * 1e6), p.precursor_surface_velocity);
-  text += fmt::format("    {:<12} shock, towards {:.4g} m/s\n",
-                      fmt::format("{:.4g} us", p.shock_arrival * 1e6), p.plateau_surface_velocity);
+    text += fmt::format("    {:<12} precursor, to {}{:.4g} m/s\n",
+                        fmt::format("{:.4g} us", *p.precursor_arrival * 1e6),
+                        *p.precursor_arrival > p.sides ? "at most " : "", p.precursor_surface_velocity);
+  text += fmt::format("    {:<12} shock, {} {:.4g} m/s\n", fmt::format("{:.4g} us", p.shock_arrival * 1e6),
+                      p.plateau_is_bound ? "to at most" : "towards", p.plateau_surface_velocity);
   if (std::isfinite(p.release_arrival)) {
     const bool overtaken = p.overtaking_depth < p.pair.target_thickness;
     text += overtaken
@@ -202,6 +224,8 @@ std::string parting_line(const PlatePrediction& p, const std::string& flyer) {
       return fmt::format("  unloaded without a pull (equal impedances) about {:.3g} us\n", p.opens * 1e6);
     case Parting::open:
       return "  no parting from free rear faces\n";
+    case Parting::by_sides:
+      return "  opens at a time that one-dimensional waves do not tell: releases from the sides come first\n";
     case Parting::never:
       return "  never opens: the contact is bonded\n";
   }
@@ -257,6 +281,7 @@ PlatePrediction predict(const PlatePair& pair, const Case& c, const std::vector<
     p.flyer_rear_after = p.velocity - pair.direction * unloading_velocity(impact.flyer, materials[f]);
   if (!p.target_rigid && pair.target_rear_free && std::isfinite(pair.target_thickness))
     predict_rear(p, impact, materials[f], materials[t]);
+  keep_before_sides(p);
   return p;
 }
 
@@ -271,10 +296,41 @@ std::string describe(const PlatePrediction& p, const Case& c) {
   if (!p.target_rigid) text += shock_line(target, p.target_shock);
   if (p.shock_arrival > 0) text += rear_lines(p, target);
   text += parting_line(p, flyer);
-  const double release = std::max(p.flyer_shock.release_speed, p.target_shock.release_speed);
-  if (std::isfinite(p.pair.half_width))
+  if (std::isfinite(p.sides))
     text += fmt::format("  all this until releases from the sides arrive, in the middle about {:.3g} us\n",
-                        (p.contact + p.pair.half_width / release) * 1e6);
+                        p.sides * 1e6);
+  return text;
+}
+
+std::vector<TouchPrediction> predict_touches(const Case& c, const std::vector<Material>& materials,
+                                             const std::vector<PlatePair>& plates) {
+  std::vector<TouchPrediction> all;
+  for (const Approach& a : first_meetings(find_approaches(c))) {
+    const bool is_plates = std::any_of(plates.begin(), plates.end(), [&](const PlatePair& p) {
+      return std::minmax(p.flyer, p.target) == std::minmax(a.first, a.second);
+    });
+    const bool first_rigid = c.bodies[a.first].rigid, second_rigid = c.bodies[a.second].rigid;
+    if (is_plates || a.time > c.time.end || (first_rigid && second_rigid)) continue;
+    PlatePrediction pair;
+    pair.pair.closing = a.closing;
+    pair.flyer_rigid = first_rigid;
+    pair.target_rigid = second_rigid;
+    const Impact impact = match(pair, materials[a.first], materials[a.second]);
+    all.push_back({a, impact.stress, impact.flyer, impact.target});
+  }
+  return all;
+}
+
+std::string describe(const TouchPrediction& p, const Case& c) {
+  const Approach& a = p.approach;
+  std::string text = fmt::format("  '{}' touches '{}' at about {:.3g} us, closing at {:.4g} m/s",
+                                 c.bodies[a.first].name, c.bodies[a.second].name, a.time * 1e6, a.closing);
+  if (a.sliding > 1e-3 * a.closing) text += fmt::format(" and sliding at {:.4g} m/s", a.sliding);
+  text += fmt::format(
+      "\n  at first touch {:.4g} GPa; the stress falls as soon as releases from free surfaces arrive\n",
+      p.stress * 1e-9);
+  if (!c.bodies[a.first].rigid) text += shock_line(c.bodies[a.first].name, p.first_shock);
+  if (!c.bodies[a.second].rigid) text += shock_line(c.bodies[a.second].name, p.second_shock);
   return text;
 }
 

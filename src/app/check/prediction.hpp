@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/approach.hpp"
 #include "config/case.hpp"
 #include "material/hugoniot.hpp"
 #include "material/material.hpp"
@@ -31,6 +32,7 @@ enum class Parting {
   by_target_release,  // it stays until the release from the target's rear comes
   neutral,            // equal impedances: unloaded by the flyer's release without a pull
   open,               // not known: a rear face is not free
+  by_sides,           // not known: releases from the sides come first
   never               // bonded
 };
 
@@ -43,7 +45,8 @@ struct PlatePrediction {
   double stress = 0;    // Pa, compressive
   ShockState flyer_shock, target_shock;
   Parting parting = Parting::open;
-  double opens = 0;             // s; infinite where it does not
+  double opens = 0;  // s; infinite where it does not, or where that is not known
+  double sides = 0;  // s, releases from the sides reach the middle: the rest holds before; may be infinite
   double flyer_rear_after = 0;  // m/s, of the flyer's rear face once it is unloaded, along the axis
 
   /// At the target's rear face, times from the start of the run.
@@ -51,6 +54,7 @@ struct PlatePrediction {
   double precursor_surface_velocity = 0;  // m/s, more than before
   double shock_arrival = 0;               // s
   double plateau_surface_velocity = 0;    // m/s, more than before
+  bool plateau_is_bound = false;          // a release catches up with the shock before: at most that velocity
   double release_arrival = 0;             // s, head of the release from the flyer's rear
   double overtaking_depth = 0;            // m, where that head meets the shock
 };
@@ -60,6 +64,19 @@ PlatePrediction predict(const PlatePair& pair, const config::Case& c, const std:
 
 /// As `recoil check` prints it.
 std::string describe(const PlatePrediction& p, const config::Case& c);
+
+/// The impact state of two bodies at the place where they touch first, along the normal there. Curved and
+/// oblique contacts keep it for a moment only.
+struct TouchPrediction {
+  Approach approach;
+  double stress = 0;                     // Pa, compressive
+  ShockState first_shock, second_shock;  // empty of rigid bodies
+};
+
+/// Of those pairs that meet in the time of the run and are no plates, each for its first meeting.
+std::vector<TouchPrediction> predict_touches(const config::Case& c, const std::vector<Material>& materials,
+                                             const std::vector<PlatePair>& plates);
+std::string describe(const TouchPrediction& p, const config::Case& c);
 
 /// By how much a free surface moves faster than the matter behind the shock once that is unloaded [m/s]:
 /// first elastically to the other side of the yield surface, then plastically.

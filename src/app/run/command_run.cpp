@@ -20,6 +20,7 @@
 #include "app/commands.hpp"
 #include "app/launch.hpp"
 #include "app/load_case.hpp"
+#include "app/machine.hpp"
 #include "app/run/checkpoint_folder.hpp"
 #include "app/run/run_folder.hpp"
 #include "app/run/simulation.hpp"
@@ -84,6 +85,26 @@ std::vector<std::string> arguments_of(const RunOptions& o) {
   return words;
 }
 
+/// More processes than this for each processor only wait for each other.
+constexpr int most_ranks_each = 8;
+
+void check_ranks(int ranks) {
+  const int processors = machine_processors();
+  if (ranks > most_ranks_each * processors)
+    throw InputError(fmt::format("{} processes are too many for {} processor{}\n   = help: -n {}", ranks,
+                                 processors, processors > 1 ? "s" : "", processors));
+}
+
+/// The number of threads does not change results, so what is more than there are processors is left out.
+template <class Options>
+int threads_of(const Options& options, const config::Case& c, int ranks) {
+  if (options.threads <= 0) return default_threads(c, ranks);
+  const int processors = machine_processors();
+  if (options.threads > processors && speaks() && !options.quiet)
+    fmt::print(stderr, "note: {} threads, as there are processors, not {}\n", processors, options.threads);
+  return std::min(options.threads, processors);
+}
+
 int simulate_any(const LoadedCase& loaded, const SimulationOptions& options, const parallel::World& world) {
   switch (config::dimension(loaded.contents.domain.geometry)) {
     case 1:
@@ -125,6 +146,7 @@ int start(const Options& options, const LoadedCase& loaded, SimulationOptions& s
   simulation.verbose = options.verbose;
   simulation.wall_limit = wall_limit(options.wall);
   if (options.ranks > 1 && !launched()) {
+    check_ranks(options.ranks);
     if (isatty(STDOUT_FILENO)) setenv(terminal_mark, "1", 1);
     become_mpirun(options.ranks, arguments_of(options));
   }
@@ -138,7 +160,7 @@ int start(const Options& options, const LoadedCase& loaded, SimulationOptions& s
   prepare_mpi_environment();
   const parallel::Session session;
   const parallel::World world;
-  simulation.threads = options.threads > 0 ? options.threads : default_threads(loaded.contents, world.size());
+  simulation.threads = threads_of(options, loaded.contents, world.size());
   return simulate_together(loaded, simulation, world);
 }
 
@@ -168,6 +190,7 @@ int run(const RunOptions& options) {
   if (!options.end.empty()) simulation.overrides.push_back("time.end=" + options.end);
   LoadedCase loaded = load_case(options.file, simulation.overrides);
   if (!loaded.found.has_errors()) check_logic(loaded);
+  if (loaded.too_large) throw EnvironmentError(loaded.found.text());
   loaded.found.throw_if_errors();
   simulation.folder =
       options.folder.empty() ? "runs/" + short_name(find_case_file(options.file)) : options.folder;

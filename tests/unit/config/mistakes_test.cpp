@@ -101,7 +101,21 @@ INSTANTIATE_TEST_SUITE_P(
                 "'kappa' must be at most 1", ""},
         Mistake{9, "end = \"10 us\"\n[contact]\ndefault = \"bondd\"", 11, 11, "'bondd'", "bonded"},
         Mistake{9, "end = \"10 us\"\n[metod]", 10, 2, "unknown key 'metod'", "did you mean 'method'?"},
-        Mistake{9, "end = \"10 us\"\nend = \"11 us\"", 10, 7, "given twice", ""}));
+        Mistake{9, "end = \"10 us\"\nend = \"11 us\"", 10, 7, "'end' is given twice",
+                "line 9: end = \"10 us\""},
+        Mistake{8, "[mesh]", 8, 1, "'mesh' is given twice", "line 6: [mesh]"},
+        Mistake{9, "end = nan", 9, 7, "'end' must be finite, but is nan", "\"10 us\""},
+        Mistake{9, "end = -inf", 9, 7, "'end' must be finite, but is -inf", "\"10 us\""},
+        Mistake{9, "end = \"nan us\"", 9, 7, "'end' must be finite", "10 us"},
+        Mistake{9, "end = \"1e400 us\"", 9, 7, "'end' must be finite", "10 us"},
+        Mistake{7, "finest = \"1e307 km\"", 7, 10, "beyond the range of numbers", "0.5 mm"},
+        Mistake{12, "velocity = { x = \"5 mps\" }", 12, 18, "unknown unit 'mps'", "did you mean 'm/s'?"},
+        Mistake{12, "velocity = { x = \"5 Kph\" }", 12, 18, "unknown unit 'Kph'", "did you mean 'km/h'?"},
+        Mistake{7, "finest = \"0.5 mm", 7, 10, "this quote is never closed", "behind the text"},
+        Mistake{7, "finest = 0.5 mm\"", 7, 16, "closes what was never opened", "before the text"},
+        Mistake{9, "end = '10 us", 9, 7, "this quote is never closed", "behind"},
+        Mistake{4, "x = [\"0 mm, \"80 mm\"]", 4, 6, "this quote is never closed", "behind"},
+        Mistake{1, "title = \"\xC3\xA4\xE4\"", 1, 11, "the byte 0xE4 is no UTF-8", "UTF-8"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Bodies, Mistakes,
@@ -176,6 +190,26 @@ TEST(MistakesTogether, AreAllReportedInOnePass) {
   EXPECT_EQ(out.error_count(), 4) << out.text();
   EXPECT_NE(out.text().find("  --> case.toml:9:7\n   | end = 10 us\n   |       ^^^^^\n"), std::string::npos)
       << out.text();
+}
+
+TEST(MistakesTogether, AnEmptyFileIsEmpty) {
+  for (const char* text : {"", "\n \t\r\n"}) {
+    Diagnostics out;
+    EXPECT_FALSE(parse_document(text, "case.toml", out).complete);
+    EXPECT_EQ(out.error_count(), 1);
+    EXPECT_NE(out.text().find("the file is empty\n  --> case.toml\n"), std::string::npos) << out.text();
+  }
+}
+
+// Quotes in comments, escapes and texts of several lines open nothing.
+TEST(MistakesTogether, QuotesThatAreRight) {
+  for (const char* text : {"# Wilkins' plate, 5\" thick\n", "title = \"a \\\" b\"\n", "title = '\"'\n",
+                           "title = \"it's\" # 5\"\n", "title = \"\"\"\nit's \"so\"\n\"\"\"\n",
+                           "title = '''\n5\" and 5'\n'''\n", "title = \"\"\ncite = ['a',\"b\"]\n"}) {
+    Diagnostics out;
+    EXPECT_TRUE(parse_document(text, "case.toml", out).complete) << text << out.text();
+    EXPECT_EQ(out.error_count(), 0) << out.text();
+  }
 }
 
 TEST(MistakesTogether, PairsThatCanBeReadTwiceAreRefused) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <variant>
 
 #include "material/library.hpp"
 #include "samples.hpp"
@@ -38,6 +39,19 @@ TEST(Lint, FindsTheExchangedSpecificHeatsOfThePaper) {
   EXPECT_TRUE(finds(tungsten, "specific heat"));
   tungsten.thermal.specific_heat = 134;
   EXPECT_FALSE(finds(tungsten, "specific heat"));
+}
+
+TEST(Lint, FindsConstantsOfNoSolidAndNamesThem) {
+  Material m = samples::copper();
+  m.eos = MieGruneisen{8.93, 3940, 1.49, 2.0};
+  ASSERT_EQ(lint(m).size(), 1U);
+  EXPECT_EQ(lint(m)[0].key, "eos.density");
+  EXPECT_TRUE(lint(m)[0].certain);
+  m = samples::copper();
+  std::get<JohnsonCook>(m.strength).a = 90e9;
+  ASSERT_EQ(lint(m).size(), 1U);
+  EXPECT_EQ(lint(m)[0].key, "strength.a");
+  EXPECT_TRUE(lint(m)[0].certain);
 }
 
 TEST(Lint, FindsContradictingModuli) {

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <set>
+#include <string>
+
+#include "app/check/checks.hpp"
+#include "material/lint.hpp"
+
+namespace recoil::app {
+
+namespace {
+
+using config::Node;
+
+/// The value of a constant of a material as it stands in the case, also where a material of the case is the
+/// base of another; null: it comes from the library.
+const Node* written_constant(const LoadedCase& loaded, std::string name, const std::string& key) {
+  const Node* all = loaded.document.find("material");
+  for (std::size_t n = 0; all && n <= all->children.size(); ++n) {  // bases may go in a circle
+    const Node* table = all->find(name);
+    if (!table) return nullptr;
+    const Node* node = table;
+    for (const std::string& part : config::split_path(key)) node = node ? node->find(part) : nullptr;
+    if (node) return node;
+    const Node* base = table->find("base");
+    if (!base || !base->is_text()) return nullptr;
+    name = base->text;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void check_materials(LoadedCase& loaded) {
+  std::set<std::string> seen;
+  for (std::size_t m = 0; m < loaded.materials.size(); ++m) {
+    const config::Body& body = loaded.contents.bodies[m];
+    if (body.rigid || !seen.insert(body.material).second) continue;
+    const auto place = [&](const std::string& key) {
+      const Node* node = written_constant(loaded, body.material, key);
+      return node ? node->place : body.material_place;
+    };
+    for (const Suspicion& s : lint(loaded.materials[m])) {
+      const std::string message = fmt::format("material '{}': {}", body.material, s.message);
+      if (s.certain)
+        loaded.found.error(place(s.key), message, s.help);
+      else
+        loaded.found.warning(place(s.key), message, s.help);
+    }
+    if (!loaded.materials[m].doubt.empty())
+      loaded.found.warning(place("doubt"), fmt::format("material '{}' is in doubt", body.material),
+                           loaded.materials[m].doubt);
+  }
+}
+
+}  // namespace recoil::app

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/approach.hpp"
+#include "app/check/checks.hpp"
+#include "config/geometry.hpp"
+#include "core/error.hpp"
+#include "material/hugoniot.hpp"
+
+namespace recoil::app {
+
+namespace {
+
+using config::Body;
+using config::Case;
+
+bool moves(const Body& b) { return b.velocity != config::Vector{} || b.spin != config::Vector{}; }
+
+double speed_of(const Body& b) { return std::hypot(b.velocity[0], b.velocity[1], b.velocity[2]); }
+
+/// Where the velocity of the faster one of two bodies stands.
+config::Place place_of_velocity(const LoadedCase& loaded, const Approach& p) {
+  const Body &a = loaded.contents.bodies[p.first], &b = loaded.contents.bodies[p.second];
+  const Body& faster = speed_of(a) >= speed_of(b) ? a : b;
+  return place_of(loaded, "body." + faster.name + ".velocity", faster.place);
+}
+
+/// Whether the impact state of two bodies exists at this closing velocity.
+bool reachable(const Body& a, const Body& b, const Material& first, const Material& second, double closing) {
+  try {
+    if (a.rigid || b.rigid)
+      shock_at_velocity(a.rigid ? second : first, closing);
+    else
+      match_impact(first, second, closing);
+    return true;
+  } catch (const PhysicsError&) {
+    return false;
+  }
+}
+
+void check_speed(LoadedCase& loaded, const Approach& p) {
+  const Body &a = loaded.contents.bodies[p.first], &b = loaded.contents.bodies[p.second];
+  const Material &first = loaded.materials[p.first], &second = loaded.materials[p.second];
+  if ((a.rigid && b.rigid) || reachable(a, b, first, second, p.closing)) return;
+  double lo = 0, hi = p.closing;
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (lo + hi);
+    (reachable(a, b, first, second, middle) ? lo : hi) = middle;
+  }
+  std::string ends;
+  for (const auto& [body, material] : {std::pair(&a, &first), std::pair(&b, &second)})
+    if (!body->rigid)
+      ends += fmt::format("{}that of '{}' ends at a particle velocity of {:.3g} km/s",
+                          ends.empty() ? "" : ", ", body->material, largest_velocity(*material) * 1e-3);
+  loaded.found.error(
+      place_of_velocity(loaded, p),
+      fmt::format("'{}' and '{}' meet at {:.4g} km/s: beyond the range of the equation of state ({})", a.name,
+                  b.name, p.closing * 1e-3, ends),
+      fmt::format("at most about {:.3g} km/s; is the unit right?", lo * 1e-3));
+}
+
+/// Edges that bodies may come back from, or come in again.
+bool has_closed_edges(const config::Domain& domain) {
+  for (int d = 0; d < config::dimension(domain.geometry); ++d)
+    for (const config::Boundary end : domain.boundary[d])
+      if (end == config::Boundary::periodic || end == config::Boundary::symmetry) return true;
+  return false;
+}
+
+void check_parting(LoadedCase& loaded, const std::vector<Approach>& all) {
+  const Case& c = loaded.contents;
+  if (has_closed_edges(c.domain)) return;
+  const auto meets = [&](int body) {
+    return std::any_of(all.begin(), all.end(), [&](const Approach& p) {
+      return p.meeting == Meeting::close && (p.first == body || p.second == body);
+    });
+  };
+  for (const Approach& p : all) {
+    if (p.meeting != Meeting::part || meets(p.first) || meets(p.second)) continue;
+    const Body &a = c.bodies[p.first], &b = c.bodies[p.second];
+    if (c.contact.between(a.name, b.name).mode == config::ContactChoice::Mode::bonded) continue;
+    loaded.found.warning(place_of_velocity(loaded, p),
+                         fmt::format("'{}' and '{}' fly apart from the start", a.name, b.name),
+                         "turn the velocity round if they shall meet");
+  }
+}
+
+}  // namespace
+
+void check_motion(LoadedCase& loaded) {
+  const Case& c = loaded.contents;
+  if (std::none_of(c.bodies.begin(), c.bodies.end(), moves)) {
+    loaded.found.error(c.bodies.front().place, "nothing moves: no body has a velocity or a spin",
+                       fmt::format("e.g. velocity = {{ {} = \"450 m/s\" }} in [body.{}]",
+                                   config::axes_of(c.domain.geometry).front(), c.bodies.front().name));
+    return;
+  }
+  const std::vector<Approach> all = find_approaches(c);
+  for (const Approach& p : first_meetings(all))
+    if (p.time < c.time.end) check_speed(loaded, p);
+  check_parting(loaded, all);
+}
+
+}  // namespace recoil::app

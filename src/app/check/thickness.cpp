@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <variant>
+
+#include "app/check/checks.hpp"
+#include "config/geometry.hpp"
+#include "problem/shape.hpp"
+#include "problem/start.hpp"
+
+namespace recoil::app {
+
+namespace {
+
+constexpr double most_samples = 1e6;
+constexpr double endless = 1e300;
+
+/// Climbs from a point to the nearest place that is deepest inside: the depth there [m].
+template <int Dim>
+double climb(const std::function<double(const Vec<Dim>&)>& distance, Vec<Dim> x, double step,
+             double smallest) {
+  double depth = -distance(x);
+  while (step > smallest) {
+    const double before = depth;
+    for (int d = 0; d < Dim; ++d)
+      for (const double side : {-1.0, 1.0}) {
+        Vec<Dim> y = x;
+        y[d] += side * step;
+        if (const double there = -distance(y); there > depth) depth = there, x = y;
+      }
+    if (depth == before) step *= 0.5;
+  }
+  return depth;
+}
+
+template <int Dim>
+double largest_ball(const config::Shape& shape, const config::Case& c) {
+  const Grid<Dim> grid = make_grid<Dim>(c);
+  const auto distance = signed_distance<Dim>(shape, c.domain);
+  double total = 1;
+  for (int d = 0; d < Dim; ++d) total *= grid.cells[d];
+  const int stride = static_cast<int>(std::max(1.0, std::ceil(std::pow(total / most_samples, 1.0 / Dim))));
+  Box<Dim> points;
+  for (int d = 0; d < Dim; ++d) points.hi[d] = (grid.cells[d] + stride - 1) / stride;
+  double depth = -std::numeric_limits<double>::infinity();
+  Vec<Dim> deepest;
+  for_each(points, [&](const Index<Dim>& i) {
+    Index<Dim> at;
+    for (int d = 0; d < Dim; ++d) at[d] = i[d] * stride + stride / 2;
+    const Vec<Dim> x = grid.centre(at);
+    if (const double there = -distance(x); there > depth) depth = there, deepest = x;
+  });
+  // Outside of all samples a shape may still be thinner than what lies between them.
+  return depth < -stride * grid.dx
+             ? endless
+             : 2 * std::max(0.0, climb(distance, deepest, stride * grid.dx, 1e-3 * grid.dx));
+}
+
+}  // namespace
+
+double least_thickness(const config::Shape& shape, const config::Case& c) {
+  if (const double told = thickness(shape, c.domain); told < endless) return told;
+  if (const auto* whole = std::get_if<config::Union>(&shape.form)) {
+    double least = endless;
+    for (const config::Shape& part : whole->parts) least = std::min(least, least_thickness(part, c));
+    return least;
+  }
+  const bool sampled = std::holds_alternative<config::Polygon>(shape.form) ||
+                       std::holds_alternative<config::Difference>(shape.form);
+  if (!sampled) return endless;
+  switch (config::dimension(c.domain.geometry)) {
+    case 1:
+      return largest_ball<1>(shape, c);
+    case 2:
+      return largest_ball<2>(shape, c);
+    default:
+      return largest_ball<3>(shape, c);
+  }
+}
+
+}  // namespace recoil::app

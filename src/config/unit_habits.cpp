@@ -1,0 +1,34 @@
+#include "config/unit_habits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace recoil::config {
+
+namespace {
+
+struct Habit {
+  std::string_view written, meant;
+};
+
+constexpr std::array habits{Habit{"mps", "m/s"},   Habit{"kps", "km/s"},  Habit{"kmps", "km/s"},
+                            Habit{"mmps", "mm/s"}, Habit{"fps", "ft/s"},  Habit{"kph", "km/h"},
+                            Habit{"kmh", "km/h"},  Habit{"kmph", "km/h"}, Habit{"mph", "mile/h"},
+                            Habit{"gcc", "g/cm3"}, Habit{"gpcc", "g/cm3"}};
+
+}  // namespace
+
+bool differs_in_capitals(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char p, char q) {
+    return std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q));
+  });
+}
+
+std::string_view meant_by(std::string_view unit) {
+  for (const Habit& h : habits)
+    if (differs_in_capitals(h.written, unit)) return h.meant;
+  return {};
+}
+
+}  // namespace recoil::config
