@@ -59,7 +59,8 @@ struct Commands {
     top.set_version_flag("--version", version_text(), "print the version and exit");
     top.set_help_flag("-h,--help", "print this help and exit");
     top.footer(
-        "Exit codes: 0 finished, 1 internal error, 2 bad input or usage, 3 numerical failure, 4 environment,\n"
+        "Exit codes: 0 finished, 1 internal error, 2 bad input or usage, 3 numerical failure, 4 "
+        "environment,\n"
         "5 finished but an expectation failed, 6 finished but doubtful, 75 stopped and can be resumed.\n"
         "`recoil COMMAND --help` tells more.");
     add_run();
