@@ -34,7 +34,30 @@ struct Transfer {
   Index<Dim> state_cell{};  // whose state the volume takes along ...
   double factor = 0;        // ... this much of its contents
   bool everything = false;  // the cell is left with nothing
+  std::array<double, 2> kept{};  // of `bounded`: what `to` keeps that the volume should have taken along
 };
+
+/// Components that cannot fall below zero.
+template <int Dim>
+inline constexpr std::array<std::size_t, 2> bounded{Components<Dim>::ep, Components<Dim>::temperature_rise};
+
+/// A neighbour that gives volume at the state of the cell that takes it gives no more plastic strain and heat
+/// than it has.
+template <int Dim>
+void keep_positive(const MovesView<Dim>& p, Transfer<Dim>& t) {
+  if (t.everything || t.volume >= 0 || p.volume[p.window.at(t.to)] + t.volume <= 0) return;
+  const Contents<Dim> state = p.contents(t.state_cell), there = p.contents(t.to);
+  for (std::size_t n = 0; n < bounded<Dim>.size(); ++n) {
+    const std::size_t c = bounded<Dim>[n];
+    const double missing = -(std::max(there[c], 0.0) + t.factor * state[c]);
+    if (t.factor * state[c] < 0 && missing > 0) t.kept[n] = missing;
+  }
+}
+
+template <int Dim>
+void add_kept(Contents<Dim>& to, const Transfer<Dim>& t, double sign) {
+  for (std::size_t n = 0; n < bounded<Dim>.size(); ++n) to[bounded<Dim>[n]] += sign * t.kept[n];
+}
 
 /// The cells that may send something: own ones and those around them. `may(i)` is cheap.
 template <int Dim, class May>
@@ -62,6 +85,7 @@ void transfer(const MovesView<Dim>& p, BodyBlock<Dim>& b, const int* senders, in
     const int k = senders[s];
     transfers[s] = decide(p.window.box().index(k));
     if (!transfers[s].any) continue;
+    keep_positive(p, transfers[s]);
     sent[k] = s;
     touched[k] = 1;
     touched[p.window.at(transfers[s].to)] = 1;
@@ -78,6 +102,7 @@ void transfer(const MovesView<Dim>& p, BodyBlock<Dim>& b, const int* senders, in
         u.contents = {};
       } else {
         add_scaled<Dim>(u.contents, p.contents(own.state_cell), -own.factor);
+        add_kept(u.contents, own, -1);
       }
     }
     Box<Dim> box{i, i};
@@ -87,6 +112,7 @@ void transfer(const MovesView<Dim>& p, BodyBlock<Dim>& b, const int* senders, in
       if (from < 0 || j == i || !(transfers[from].to == i)) return;
       u.volume += transfers[from].volume;
       add_scaled<Dim>(u.contents, p.contents(transfers[from].state_cell), transfers[from].factor);
+      add_kept(u.contents, transfers[from], 1);
     });
     b.updates.push_back(u);
   });

@@ -33,10 +33,22 @@ TEST(Summary, SaysWhatScriptsRelyOn) {
   e.quantity = "contact.a-b.opens";
   e.value = 0.7e-6, e.tolerance = 0.01e-6, e.unit = "us", e.source = "theory";
   s.expect = {{e, {0.72e-6, false, false, ""}, false}};
+  s.verdict = {Verdict::Kind::doubtful,
+               {{"averaged-states", "a", "0.4 % replaced", 4e-3, 1e-5, 1e-6, NAN, {0.001}}},
+               {"not this"}};
   write_summary(folder / "summary.json", s);
   const auto j = read_json(folder / "summary.json");
   EXPECT_EQ(j["case"], "plates");
   EXPECT_EQ(j["exit"], 5);
+  EXPECT_EQ(j["verdict"], "doubtful");
+  EXPECT_EQ(j["not_judged"][0], "not this");
+  const auto& reason = j["reasons"].at(0);
+  EXPECT_EQ(reason["what"], "averaged-states");
+  EXPECT_EQ(reason["body"], "a");
+  EXPECT_EQ(reason["limit"], 1e-5);
+  EXPECT_NEAR(reason["first_us"].get<double>(), 1, 1e-12);
+  EXPECT_TRUE(reason["last_us"].is_null());
+  EXPECT_EQ(reason["place_mm"], nlohmann::json::array({1.0}));
   EXPECT_EQ(j["steps"], 12);
   EXPECT_EQ(j["cells"], 340);
   EXPECT_EQ(j["cpu_s"], 3);
