@@ -31,9 +31,9 @@ struct Transfer {
   Index<Dim> to{};
   bool any = false;
   double volume = 0;
-  Index<Dim> state_cell{};  // whose state the volume takes along ...
-  double factor = 0;        // ... this much of its contents
-  bool everything = false;  // the cell is left with nothing
+  Index<Dim> state_cell{};       // whose state the volume takes along ...
+  double factor = 0;             // ... this much of its contents
+  bool everything = false;       // the cell is left with nothing
   std::array<double, 2> kept{};  // of `bounded`: what `to` keeps that the volume should have taken along
 };
 

@@ -11,9 +11,8 @@ namespace recoil {
 
 namespace {
 
-constexpr double least_judged = 0.02;  // part of a cell below which a state is not judged
-constexpr double least_density = 0.5, largest_density = 2.5;  // of rho0
-constexpr double admissible_sound = 0.02;                     // least c^2, of c0^2
+constexpr double least_judged = 0.02;      // part of a cell below which a state is not judged
+constexpr double admissible_sound = 0.02;  // least c^2, of c0^2
 
 template <int Dim, class EosModel>
 [[gnu::always_inline]] inline bool beyond_equations(const EosModel& eos, const Contents<Dim>& q,

@@ -7,8 +7,9 @@
 
 namespace recoil {
 
-/// Mending of states that the equations do not admit: they are marked, averaged with what is around, and the
+/// States that the equations do not admit: they are marked, averaged with what is around, and the
 /// marks are cleared.
+inline constexpr double least_density = 0.5, largest_density = 2.5;  // of rho0, admissible
 
 /// Whether contents are beyond what the equations admit: density outside 0.5-2.5 rho0, or c^2 below 0.02
 /// c0^2.

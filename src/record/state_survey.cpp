@@ -1,7 +1,5 @@
 #include "record/state_survey.hpp"
 
-#include "parallel/archive.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,8 +7,10 @@
 #include <tuple>
 #include <variant>
 
+#include "dynamics/inadmissible.hpp"
 #include "dynamics/primitives.hpp"
 #include "gauge/point_state.hpp"
+#include "parallel/archive.hpp"
 
 namespace recoil {
 
