@@ -65,12 +65,13 @@ void check_yield(const Material& m, Findings& out) {
   const double y = std::visit([&](const auto& s) { return s.yield(0, 0, t); }, m.strength);
   const double g = shear_modulus(m);
   if (!(g > 0) || std::isinf(y)) return;
+  const bool impossible = y > 0.5 * g;
   if (y > 5e9 || y > 0.1 * g)
     out.push_back({"yield stress " + number(y / 1e9, "GPa") + " is implausible beside the shear modulus " +
                        number(g / 1e9, "GPa"),
-                   "no metal exceeds about 5 GPa, nor a tenth of its shear modulus: is it " +
-                       number(y / 1e9, "MPa") + "?",
-                   yield_key(m), y > 0.5 * g});
+                   "no metal exceeds about 5 GPa, nor a tenth of its shear modulus" +
+                       (impossible ? ": is it " + number(y / 1e9, "MPa") + "?" : std::string()),
+                   yield_key(m), impossible});
 }
 
 /// Foams begin at some 100 kg/m3, osmium has 22590 kg/m3. Without strength it may be a gas or a powder.
@@ -80,7 +81,7 @@ void check_density(const Material& m, Findings& out) {
   const bool from_grams = rho < 25;
   out.push_back({"density " + number(rho, "kg/m3") + " is that of no solid",
                  from_grams ? "is it " + number(rho, "g/cm3") + "?" : "solids have 100 to 23000 kg/m3",
-                 "eos.density", shear_modulus(m) > 0});
+                 "eos.density", from_grams && shear_modulus(m) > 0});
 }
 
 void check_melting(const Material& m, Findings& out) {
@@ -107,7 +108,7 @@ void check_hugoniot(const Material& m, Findings& out) {
 std::vector<Suspicion> lint(const Material& material) {
   Findings out;
   check_density(material, out);
-  if (!out.empty()) return out;  // the others would only follow from that
+  if (!out.empty() && out[0].certain) return out;  // the others would only follow from that
   check_heat(material, out);
   check_moduli(material, out);
   check_yield(material, out);

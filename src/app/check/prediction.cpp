@@ -57,11 +57,10 @@ bool nothing_between(const std::vector<Extent>& all, std::size_t body, std::size
   return true;
 }
 
-/// Whether the ends of a plain shape along an axis are flat: of a cylinder only those along its own.
-bool flat_along(const config::Shape& shape, std::size_t axis) {
+/// Whether the ends of a plain shape along an axis are flat: of a cylinder in 3d only those along its own.
+bool flat_along(const config::Shape& shape, std::size_t axis, Geometry geometry) {
   const auto* cylinder = std::get_if<config::Cylinder>(&shape.form);
-  return !cylinder || extent_of(shape, Geometry::space).plain == false ||
-         std::abs(cylinder->axis[axis]) > 0.5;
+  return !cylinder || geometry != Geometry::space || std::abs(cylinder->axis[axis]) > 0.5;
 }
 
 /// The pair whose face `low.hi` meets `high.lo`, if they close in.
@@ -69,7 +68,9 @@ std::optional<PlatePair> pair_along(const Case& c, const std::vector<Extent>& al
                                     std::size_t high, std::size_t axis) {
   const int dim = config::dimension(c.domain.geometry);
   const Extent &a = all[low], &b = all[high];
-  if (!flat_along(c.bodies[low].shape, axis) || !flat_along(c.bodies[high].shape, axis)) return std::nullopt;
+  if (!flat_along(c.bodies[low].shape, axis, c.domain.geometry) ||
+      !flat_along(c.bodies[high].shape, axis, c.domain.geometry))
+    return std::nullopt;
   const double gap = b.lo[axis] - a.hi[axis];
   const double closing = c.bodies[low].velocity[axis] - c.bodies[high].velocity[axis];
   if (!a.plain || !b.plain || !beside(a, b, axis, dim) || !(gap > -1e-9) || !std::isfinite(gap) ||
@@ -325,7 +326,7 @@ std::string describe(const TouchPrediction& p, const Case& c) {
   const Approach& a = p.approach;
   std::string text = fmt::format("  '{}' touches '{}' at about {:.3g} us, closing at {:.4g} m/s",
                                  c.bodies[a.first].name, c.bodies[a.second].name, a.time * 1e6, a.closing);
-  if (a.sliding > 1e-3 * a.closing) text += fmt::format(" and sliding at {:.4g} m/s", a.sliding);
+  if (a.sliding > 0.05 * a.closing) text += fmt::format(" and sliding at {:.4g} m/s", a.sliding);
   text += fmt::format(
       "\n  at first touch {:.4g} GPa; the stress falls as soon as releases from free surfaces arrive\n",
       p.stress * 1e-9);
