@@ -17,17 +17,18 @@ constexpr std::array habits{Habit{"mps", "m/s"},   Habit{"kps", "km/s"},  Habit{
                             Habit{"kmh", "km/h"},  Habit{"kmph", "km/h"}, Habit{"mph", "mile/h"},
                             Habit{"gcc", "g/cm3"}, Habit{"gpcc", "g/cm3"}};
 
-}  // namespace
-
-bool differs_in_capitals(std::string_view a, std::string_view b) {
+/// Capital letters or not.
+bool same_word(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char p, char q) {
     return std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q));
   });
 }
 
+}  // namespace
+
 std::string_view meant_by(std::string_view unit) {
   for (const Habit& h : habits)
-    if (differs_in_capitals(h.written, unit)) return h.meant;
+    if (same_word(h.written, unit)) return h.meant;
   return {};
 }
 

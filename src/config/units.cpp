@@ -156,18 +156,6 @@ bool is_habit(Quantity& q, std::string_view text) {
   return true;
 }
 
-/// The usual unit of the dimension that is needed and differs from `unit` by capital letters only ("gpa",
-/// which udunits reads as giga-pico-are); empty: none.
-std::string with_other_capitals(std::string_view unit, const ut_unit* needed) {
-  for (const char* usual :
-       {"GPa", "MPa", "kPa", "Pa", "mm", "km", "us", "ns", "kg", "km/s", "m/s", "kJ", "K"}) {
-    if (usual == unit || !differs_in_capitals(usual, unit)) continue;
-    const Unit known = parse_unit(usual);
-    if (known && base_units(known.get()) == base_units(needed)) return usual;
-  }
-  return {};
-}
-
 /// Help for a unit that udunits does not know.
 std::string nearest_unit(std::string_view unit) {
   static const std::vector<std::string> common{"m",   "mm",  "cm",  "um",  "nm",   "km",   "s",  "ms",   "us",
@@ -307,8 +295,7 @@ Quantity parse_quantity(std::string_view text, std::string_view si_unit, std::st
   if (base_units(unit.get()) != base_units(target.get())) {
     q.problem = fmt::format("'{}' has dimension [{}], but '{}' needs [{}]", text, name_of(unit.get()), name,
                             name_of(target.get()));
-    const std::string meant = with_other_capitals(q.unit, target.get());
-    q.help = meant.empty() ? "write " + example(si) : "did you mean '" + meant + "'?";
+    q.help = "write " + example(si);
     return q;
   }
   q.value = convert_text(split.digits, q.written, unit.get(), target.get());

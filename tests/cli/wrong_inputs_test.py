@@ -90,7 +90,7 @@ ERRORS = [
     ([('"6 us"', "nan")], "'end' must be finite", 9, 7, '"10 us"'),
     ([('"6 us"', "inf")], "'end' must be finite", 9, 7, '"10 us"'),
     ([USES_MINE, MINE % ("eos", "s = nan")], "'s' must be finite", 25, 5, "write"),
-    ([USES_MINE, MINE % ("strength", 'a = "90 Gpa"')], "'a' needs [pressure]", 25, 5, "did you mean 'GPa'?"),
+    ([USES_MINE, MINE % ("strength", 'a = "90 Gpa"')], "unknown unit 'Gpa'", 25, 5, "did you mean 'GPa'?"),
     ([after_end('end = "7 us"')], "'end' is given twice", 10, 7, 'the first stands in line 9: end = "6 us"'),
     ([after_end('[mesh]\nfinest = "1 mm"')], "'mesh' is given twice", 10, 1, "the first stands in line 6: [mesh]"),
     ([("velocity = { x = ", 'velocity = { x = "1 m/s", x = ')], "'x' is given twice", 13, 31, "in the same line"),

@@ -49,9 +49,12 @@ TEST(Units, RefusesWhatIsNoQuantityOfItsDimension) {
   expect_problem("5", "m", "has no unit", "0.5 mm");
   expect_problem("mm", "m", "is not a quantity", "0.5 mm");
   expect_problem("", "m", "is not a quantity", "");
-  expect_problem("nan mm", "m", "is not a quantity", "");
-  expect_problem("inf mm", "m", "is not a quantity", "");
-  expect_problem("1e999 mm", "m", "is not a quantity", "");
+  expect_problem("nan mm", "m", "must be finite", "0.5 mm");
+  expect_problem("inf mm", "m", "must be finite", "0.5 mm");
+  expect_problem("1e999 mm", "m", "must be finite", "0.5 mm");
+  expect_problem("1e307 km", "m", "beyond the range of numbers", "0.5 mm");
+  expect_problem("5 mps", "m/s", "unknown unit 'mps'", "did you mean 'm/s'?");
+  expect_problem("5 kph", "m/s", "unknown unit 'kph'", "did you mean 'km/h'?");
   expect_problem("0,05 mm", "m", "decimal comma", "point");
   expect_problem("5 mm 3", "m", "unknown unit", "");
   expect_problem("5 m @ 3", "m", "unknown unit", "");
