@@ -18,7 +18,7 @@ namespace {
 
 constexpr double whole_fill = 0.99;  // part of a cell from which on it counts as whole
 constexpr double judged_fill = 0.5;  // part of a cell from which on strain and heat are judged
-constexpr double no_strain = -1e-9;  // plastic strain below it is negative
+constexpr double no_strain = -1e-6;  // plastic strain below it is negative, beyond rounding
 constexpr double no_heat = -1e-3;    // K
 constexpr long recent_steps = 100;
 

@@ -108,7 +108,7 @@ TEST(Table, ReportsWrongTypes) {
   EXPECT_NE(Read(good + "eos = 1").only().message.find("a table"), std::string::npos);
   EXPECT_NE(Read(good + "r = [\"1 mm\"]").only().message.find("pair"), std::string::npos);
   EXPECT_NE(Read(good + "r = [\"2 mm\", \"1 mm\"]").only().message.find("low end first"), std::string::npos);
-  EXPECT_NE(Read(good + "at = { r = \"1 mm\" }").only().message.find("no component"), std::string::npos);
+  EXPECT_NE(Read(good + "at = { r = \"1 mm\" }").only().message.find("not a component"), std::string::npos);
   EXPECT_NE(Read(good + "gamma = inf").only().message.find("finite"), std::string::npos);
   EXPECT_NE(Read("density = \"0 kg/m3\"").only().message.find("more than 0 kg/m3"), std::string::npos);
   EXPECT_NE(Read(good + "kind = \"sg\"").only().message.find("not available in this version"),

@@ -57,7 +57,7 @@ TEST(StudyTable, MissingValuesAreMarked) {
 }
 
 TEST(StudyTable, ACaseWithoutNumbersHasAnEmptyTable) {
-  EXPECT_NE(study_markdown({"empty", {}, {{1e-4, 0, {}}}}).find("no numbers"), std::string::npos);
+  EXPECT_NE(study_markdown({"empty", {}, {{1e-4, 0, {}}}}).find("no expected numbers"), std::string::npos);
 }
 
 }  // namespace
