@@ -88,6 +88,23 @@ void BudgetWatch<Dim>::look(const Totals<Dim>& t) {
   for (std::size_t l = 0; l < lines_.size(); ++l) judge(l, owed(t, body_[l]));
 }
 
+template <int Dim>
+std::vector<Drift> BudgetWatch<Dim>::judged() const {
+  constexpr double least_part = 1e-6;
+  const auto part = [](double error, double own, double all) {
+    const double scale = std::max(own, least_part * all);
+    return error == 0 ? 0 : error / (scale > 0 ? scale : 1);
+  };
+  std::vector<Drift> drifts;
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    const Line& line = lines_[l];
+    drifts.push_back({worst_[l].name, worst_[l].mass,
+                      part(line.momentum_error, line.most_speed, lines_[0].most_speed),
+                      part(line.energy_error, line.most_energy, lines_[0].most_energy)});
+  }
+  return drifts;
+}
+
 template class BudgetWatch<1>;
 template class BudgetWatch<2>;
 template class BudgetWatch<3>;

@@ -156,7 +156,7 @@ void Recorder<Dim>::abandon(const State<Dim>& state, const RunFacts& facts, cons
   s.exit = exit_stopped, s.passed = false;
   s.verdict = judge(e, p.case_.limits);
   s.time = state.time, s.steps = state.step, s.wall_s = facts.wall_s;
-  s.budgets = e.budgets, s.events = p.events.events(), s.floors = e.counters;
+  s.budgets = p.budget.worst(), s.events = p.events.events(), s.floors = e.counters;
   write_summary(p.directory / "summary.json", s);
   if (!p.first()) return;
   p.flush();
