@@ -119,7 +119,7 @@ class Run(Program):
 
     def flyer_at(self, velocity):
         """An aluminium plate on aluminium, 20 cells thick; the result of its run and its summary."""
-        case = self.case(('"copper/seed"', '"aluminium/6061-t6"'), ("450 m/s", velocity), ('end = "6 us"', 'end = "0.4 us"'))
+        case = self.case(('"copper/seed"', '"aluminium/6061-t6"'), ("450 m/s", velocity), ('end = "6 us"', 'end = "2.6 us"'))
         result = recoil("run", case, "-o", self.folder / "out", "--set", "mesh.finest=0.1mm")
         return result, json.loads((self.folder / "out" / "summary.json").read_text())
 
