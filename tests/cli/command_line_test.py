@@ -185,7 +185,8 @@ class Run(Program):
         self.expect(result, 3, "what is known is in")
         self.assertIn("last dt 500 ns", (self.folder / "out" / "crash" / "process_0.txt").read_text())
         self.assertEqual(json.loads((self.folder / "out" / "status.json").read_text())["state"], "failed")
-        self.assertFalse((self.folder / "out" / "summary.json").exists())
+        summary = json.loads((self.folder / "out" / "summary.json").read_text())
+        self.assertEqual((summary["verdict"], summary["reasons"][0]["what"]), ("stopped", "error"))
 
     def test_bad_input_leaves_no_folder(self):
         self.expect(self.run_coarse("--set", "body.flyer.material=coper/seed"), 2, "copper/seed")
