@@ -82,7 +82,7 @@ class Check(Program):
         self.expect(recoil("check", FLYER, bad), 2, "133.7 m/s", "it cannot be run")
 
     def test_other_schemes_say_what_they_do_not_keep(self):
-        self.expect(recoil("check", FLYER, "--set", "method.scheme=seed"), 0, "not kept at surfaces", "0.025 mm are left")
+        self.expect(recoil("check", FLYER, "--set", "method.scheme=seed"), 0, "not conserved at surfaces", "0.025 mm")
         self.expect(recoil("check", FLYER, "--set", "method.kappa=0.3"), 2, "no meaning for scheme", "scheme = \"seed\"")
 
     def test_picture(self):

@@ -156,6 +156,7 @@ void Simulation<Dim>::advance() {
       if (world_.rank() == 0) tell_verdict(reporter_, summary);
     } else {
       recorder_->abandon(state_, failed, e.what());
+      reporter_.insist("verdict: stopped");
     }
     const auto folder = write_crash(options_, state_, dt_, world_.rank(), what);
     throw PhysicsError(fmt::format("{}\n   = help: what is known is in {}", e.what(), folder.string()));

@@ -22,7 +22,7 @@ struct Found {
 };
 
 /// Looks a name up, beside the tables of a case given as text.
-Found find(const std::string& name, const std::string& text = {}) {
+Found find(const std::string& name, const std::string& text = "format = 1") {
   Found found;
   const config::Document own = config::parse_document(text, "case.toml", found.out);
   found.material = find_material(name, &own, folder, found.out, {"case.toml", 1, 1, 1});

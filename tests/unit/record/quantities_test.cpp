@@ -73,12 +73,12 @@ TEST(Quantities, ComplainAboutWhatCannotBe) {
   expect_complaint("gauge.raer.velocity.peak", "did you mean 'rear'");
   expect_complaint("gauge.rear.velosity.peak", "did you mean 'velocity'");
   expect_complaint("gauge.rear.velocity", "which value");
-  expect_complaint("gauge.rear.velocity.mean", "needs something");
+  expect_complaint("gauge.rear.velocity.mean", "needs an argument");
   expect_complaint("gauge.rear.velocity.peak@1us", "takes nothing");
   expect_complaint("gauge.rear.velocity.mean@1us", "is not a span");
   expect_complaint("gauge.rear.velocity@3mm", "time");
   expect_complaint("gauge.rear.velocity.max@3us", "is not a span");
-  expect_complaint("gauge.rear.velocity.until", "needs something");
+  expect_complaint("gauge.rear.velocity.until", "needs an argument");
   expect_complaint("contact.a-b.open", "contact.a-b.opens");
   EXPECT_THROW(measure(sample(), "contact.a-b.reclose", true), InputError);
 }
