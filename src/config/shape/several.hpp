@@ -41,11 +41,7 @@ struct Union {
   static Entries<Union> keys() { return keys_of_parts<Union, 1>("the shapes that make it up"); }
 
   template <int Dim>
-  double distance(const Vec<Dim>& x, const Domain& domain) const {
-    double d = 1e300;
-    for (const auto& part : parts) d = std::min(d, distance_to(part, x, domain));
-    return d;
-  }
+  double distance(const Vec<Dim>& x, const Domain& domain) const;  // in shape.hpp, which knows the parts
   Union continued(const Domain& domain) const;
 };
 
@@ -59,11 +55,7 @@ struct Difference {
   }
 
   template <int Dim>
-  double distance(const Vec<Dim>& x, const Domain& domain) const {
-    double d = distance_to(parts.front(), x, domain);
-    for (std::size_t i = 1; i < parts.size(); ++i) d = std::max(d, -distance_to(parts[i], x, domain));
-    return d;
-  }
+  double distance(const Vec<Dim>& x, const Domain& domain) const;
   Difference continued(const Domain& domain) const;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -33,6 +35,20 @@ Shape read_shape(const Node& node, const CaseReading& in);
 template <int Dim>
 double distance_to(const Shape& shape, const Vec<Dim>& x, const Domain& domain) {
   return std::visit([&](const auto& s) { return s.distance(x, domain); }, shape.form);
+}
+
+template <int Dim>
+double Union::distance(const Vec<Dim>& x, const Domain& domain) const {
+  double d = 1e300;
+  for (const Shape& part : parts) d = std::min(d, distance_to(part, x, domain));
+  return d;
+}
+
+template <int Dim>
+double Difference::distance(const Vec<Dim>& x, const Domain& domain) const {
+  double d = distance_to(parts.front(), x, domain);
+  for (std::size_t i = 1; i < parts.size(); ++i) d = std::max(d, -distance_to(parts[i], x, domain));
+  return d;
 }
 
 /// The shape with what reaches the edge of the domain continued beyond it.
