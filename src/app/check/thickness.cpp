@@ -13,20 +13,23 @@ namespace recoil::app {
 
 namespace {
 
-constexpr double most_samples = 1e6;
+constexpr double most_samples = 1e5;
 constexpr double endless = 1e300;
 
-/// Climbs from a point to the nearest place that is deepest inside: the depth there [m].
+/// Climbs from a point to the nearest place in the domain that is deepest inside: the depth there [m]. Bodies
+/// go on beyond the edges of the domain, where there is no end to climbing.
 template <int Dim>
-double climb(const std::function<double(const Vec<Dim>&)>& distance, Vec<Dim> x, double step,
-             double smallest) {
+double climb(const Grid<Dim>& grid, const std::function<double(const Vec<Dim>&)>& distance, Vec<Dim> x,
+             double step, double smallest) {
+  const auto low = [&](int d) { return grid.origin[d]; };
+  const auto high = [&](int d) { return grid.origin[d] + grid.cells[d] * grid.dx; };
   double depth = -distance(x);
   while (step > smallest) {
     const double before = depth;
     for (int d = 0; d < Dim; ++d)
       for (const double side : {-1.0, 1.0}) {
         Vec<Dim> y = x;
-        y[d] += side * step;
+        y[d] = std::clamp(y[d] + side * step, low(d), high(d));
         if (const double there = -distance(y); there > depth) depth = there, x = y;
       }
     if (depth == before) step *= 0.5;
@@ -54,7 +57,7 @@ double largest_ball(const config::Shape& shape, const config::Case& c) {
   // Outside of all samples a shape may still be thinner than what lies between them.
   return depth < -stride * grid.dx
              ? endless
-             : 2 * std::max(0.0, climb(distance, deepest, stride * grid.dx, 1e-3 * grid.dx));
+             : 2 * std::max(0.0, climb(grid, distance, deepest, stride * grid.dx, 1e-3 * grid.dx));
 }
 
 }  // namespace
