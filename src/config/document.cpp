@@ -235,7 +235,8 @@ Document parse_document(std::string text, std::string name, Diagnostics& out) {
   }
   QuoteRepairs repairs;
   std::string current = doc.text;
-  // Each repair takes away one mistake of syntax, so this ends.
+  // Repairs only go forward, so this ends: where one did not help the parser stops before it again.
+  int repaired_line = 0, repaired_column = 0;
   for (;;) {
     try {
       const toml::table table = toml::parse(std::string_view(current), std::string_view(doc.name));
@@ -244,7 +245,9 @@ Document parse_document(std::string text, std::string name, Diagnostics& out) {
     } catch (const toml::parse_error& e) {
       const int line = static_cast<int>(e.source().begin.line),
                 column = static_cast<int>(e.source().begin.column);
-      if (const std::optional<Unquoted> word = repairs.repair(current, line, column)) {
+      const std::optional<Unquoted> word = repairs.repair(current, line, column);
+      if (word && std::tie(line, word->column) > std::tie(repaired_line, repaired_column)) {
+        repaired_line = line, repaired_column = word->column;
         out.error({doc.name, line, word->column, word->length},
                   "'" + word->text + "' needs quotes: " + word->why, "write \"" + word->text + "\"");
         continue;

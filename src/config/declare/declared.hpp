@@ -19,6 +19,8 @@ template <class... F>
 struct Cases : F... {
   using F::operator()...;
 };
+template <class... F>
+Cases(F...) -> Cases<F...>;  // clang 14 does not deduce it of aggregates
 
 inline bool exists_in(const std::vector<Geometry>& only_in, Geometry geometry) {
   return only_in.empty() || std::find(only_in.begin(), only_in.end(), geometry) != only_in.end();

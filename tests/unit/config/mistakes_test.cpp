@@ -212,6 +212,13 @@ TEST(MistakesTogether, QuotesThatAreRight) {
   }
 }
 
+// Found by the fuzzer: quotes put into a comment do not help the parser, and were put there again and again.
+TEST(MistakesTogether, RepairsEnd) {
+  Diagnostics out;
+  EXPECT_FALSE(parse_document("a = 1  # 60 m/s, 80 m/s along \x01 it\n", "case.toml", out).complete);
+  EXPECT_LE(out.error_count(), 2) << out.text();
+}
+
 TEST(MistakesTogether, PairsThatCanBeReadTwiceAreRefused) {
   std::string text = with(14, "[body.target]");
   const std::string rigid = "rigid = true\nshape = { kind = \"disc\", radius = \"1 mm\" }\n";
