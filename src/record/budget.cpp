@@ -9,6 +9,7 @@ namespace recoil {
 namespace {
 
 constexpr double least_part = 1e-4;  // of what all bodies hold: a body with less is measured with so much
+constexpr double least_speed = 0.1;  // m/s: a body that is slower is measured as if it moved so fast
 
 }  // namespace
 
@@ -61,8 +62,10 @@ template <int Dim>
 void BudgetWatch<Dim>::judge(std::size_t l, const Sums& s) {
   Line& line = lines_[l];
   line.most_speed = std::max(line.most_speed, s.speed);
-  const double speed = std::max(line.most_speed, least_part * lines_[0].most_speed);
-  const double energy = std::max(line.most_energy, least_part * lines_[0].most_energy);
+  const double mass = std::abs(line.start.mass);
+  const double speed = std::max({line.most_speed, least_part * lines_[0].most_speed, least_speed * mass}),
+               energy = std::max(
+                   {line.most_energy, least_part * lines_[0].most_energy, least_speed * least_speed * mass});
   const auto part = [](double error, double whole) {
     return error == 0 ? 0 : error / (whole > 0 ? whole : 1);
   };
@@ -75,7 +78,6 @@ void BudgetWatch<Dim>::judge(std::size_t l, const Sums& s) {
   line.mass_error = std::max(line.mass_error, mass_error);
   line.momentum_error = std::max(line.momentum_error, momentum_error);
   line.energy_error = std::max(line.energy_error, energy_error);
-  const double mass = std::abs(line.start.mass);
   now_[l] = {now_[l].name, part(mass_error, mass), part(momentum_error, speed), part(energy_error, energy)};
   worst_[l] = {worst_[l].name, part(line.mass_error, mass), part(line.momentum_error, speed),
                part(line.energy_error, energy)};

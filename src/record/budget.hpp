@@ -36,8 +36,8 @@ class BudgetWatch {
   void look(const Totals<Dim>& totals);
 
   /// The largest errors at any look so far, `total` first, then each deformable body. A body that holds less
-  /// than 1e-4 of the energy, or of the motion, of all bodies is measured with so much of theirs: what is but
-  /// round-off for the others is no error of its own.
+  /// than 1e-4 of the energy, or of the motion, of all bodies is measured with so much of theirs, and one
+  /// slower than 0.1 m/s as if it moved so fast: what is but round-off is no error of its own.
   const std::vector<Drift>& worst() const { return worst_; }
   /// Those of the last look.
   const std::vector<Drift>& now() const { return now_; }

@@ -88,12 +88,15 @@ TEST(Budget, RadialMomentumOfARingIsNotKept) {
   EXPECT_GT(w.worst()[1].momentum, 0);
 }
 
-TEST(Budget, ABodyAtRestIsMeasuredWithAPartOfWhatMoves) {
+TEST(Budget, ABodyAtRestIsMeasuredWithAPartOfWhatMovesAndWithALeastSpeed) {
   auto w = watch();
   Totals<2> t = start();
   t.bodies[1].momentum = {{1e-3, 0}};
   w.look(t);
-  EXPECT_NEAR(w.now()[2].momentum, 1e-3 / (1e-4 * 20), 1e-12);
+  EXPECT_NEAR(w.now()[2].momentum, 1e-3 / (0.1 * 4), 1e-12);  // 4 kg at 0.1 m/s
+  t.bodies[0].speed = 1e5;
+  w.look(t);
+  EXPECT_NEAR(w.now()[2].momentum, 1e-3 / (1e-4 * 1e5), 1e-12);
 }
 
 }  // namespace

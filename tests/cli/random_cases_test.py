@@ -1,0 +1,129 @@
+#!/usr/bin/python3
+"""Random cases: whatever the bodies, shapes, velocities and materials, a run ends in good order.
+
+It must end with 0 (valid), 2 (refused), 3 (stopped) or 6 (doubtful), within a minute, without a crash; and whenever it has
+run to its end, or was stopped, the budgets of mass, momentum and energy of every body close to 1e-11.
+
+Needs RECOIL_PROGRAM and RECOIL_DATA. RECOIL_RANDOM_CASES is the number of cases (40; the nightly tests take 2000),
+RECOIL_RANDOM_SEED the first of their numbers: each case is drawn from its own, so that one can be drawn again.
+"""
+
+import json
+import os
+import random
+import subprocess
+import tomllib
+import unittest
+
+from program import Program, recoil
+
+CASES = int(os.environ.get("RECOIL_RANDOM_CASES", "40"))
+FIRST = int(os.environ.get("RECOIL_RANDOM_SEED", "1"))
+MATERIALS = ["aluminium/2024-t351", "aluminium/6061-t6", "copper/ofhc-johnson-cook", "copper/taylor-bar", "steel/4340",
+             "tungsten-alloy/seed", "aluminium/wilkins", "steel/hzb"]
+AXES = {"1d": "x", "planar": "xy", "axisymmetric": "rz", "3d": "xyz"}
+CELLS = {"1d": 120, "planar": 40, "axisymmetric": 40, "3d": 18}  # along the longest axis
+SIDE = 24.0  # mm, of the domain
+
+
+def span(dice, least=0.8, most=9.0):
+    """A place and a size [mm] inside the domain."""
+    size = dice.uniform(least, most)
+    low = dice.uniform(1, SIDE - size - 1)
+    return low, low + size
+
+
+def shape(dice, geometry):
+    axes = AXES[geometry]
+    kinds = ["box"]
+    if geometry in ("planar",):
+        kinds += ["disc", "turned"]
+    if geometry == "axisymmetric":
+        kinds += ["sphere", "rod"]
+    if geometry == "3d":
+        kinds += ["sphere"]
+    kind = dice.choice(kinds)
+    if kind in ("disc", "sphere"):
+        place = {a: dice.uniform(4, SIDE - 4) for a in axes}
+        if geometry == "axisymmetric":
+            place["r"] = 0
+        centre = ", ".join(f'{a} = "{v:.4g} mm"' for a, v in place.items())
+        return f'{{ kind = "{kind}", radius = "{dice.uniform(0.8, 4):.4g} mm", centre = {{ {centre} }} }}'
+    sides = {a: span(dice) for a in axes}
+    if kind == "rod":
+        sides["r"] = (0, dice.uniform(0.8, 6))
+    text = ", ".join(f'{a} = ["{lo:.5g} mm", "{hi:.5g} mm"]' for a, (lo, hi) in sides.items())
+    turn = f', rotation = "{dice.uniform(-80, 80):.4g} deg"' if kind == "turned" else ""
+    return f'{{ kind = "box", {text}{turn} }}'
+
+
+def body(dice, geometry, name):
+    lines = [f"[body.{name}]", f"shape = {shape(dice, geometry)}"]
+    first = name == "b0"  # is deformable and moves: else half of the cases would be refused for that
+    if not first and dice.random() < 0.12:
+        lines.append("rigid = true")
+    else:
+        lines.append(f'material = "{dice.choice(MATERIALS)}"')
+    speed = 10 ** dice.uniform(0.5, 4.18)  # 3 m/s to 15 km/s
+    if first or dice.random() < 0.75:
+        axis = dice.choice([a for a in AXES[geometry] if a != "r"])
+        lines.append(f'velocity = {{ {axis} = "{dice.choice((-1, 1)) * speed:.5g} m/s" }}')
+    return lines, speed
+
+
+def draw(number):
+    """The text of a case."""
+    dice = random.Random(number)
+    geometry = dice.choices(list(AXES), weights=(3, 4, 3, 1))[0]
+    cells = int(CELLS[geometry] * dice.uniform(0.5, 1))
+    lines = ["format = 1", f'title = "random case {number}"', "[domain]", f'geometry = "{geometry}"']
+    for a in AXES[geometry]:
+        lines.append(f'{a} = ["0 mm", "{SIDE} mm"]')
+    lines += ["[mesh]", f'finest = "{SIDE / cells:.6g} mm"', f"block = {dice.choice((8, 12, 16, 32))}"]
+    bodies, fastest = [], 1.0
+    for k in range(dice.choice((1, 2, 2, 2, 3, 3, 4))):
+        text, speed = body(dice, geometry, f"b{k}")
+        bodies += text
+        fastest = max(fastest, speed)
+    # At most 6 mm of flight, and some 150 steps.
+    end = min(6e-3 / fastest, 150 * 0.4 * SIDE * 1e-3 / cells / (6000 + fastest))
+    lines += ["[time]", f'end = "{end * 1e6:.5g} us"', *bodies]
+    return "\n".join(lines) + "\n"
+
+
+class RandomCases(Program):
+    def test_every_run_ends_in_good_order(self):
+        ends = {}
+        for number in range(FIRST, FIRST + CASES):
+            with self.subTest(number=number):
+                ends.setdefault(self.end_of(number), []).append(number)
+        print("exit codes:", {code: len(numbers) for code, numbers in sorted(ends.items())})
+        self.assertGreater(len(ends.get(0, [])) + len(ends.get(6, [])), CASES // 4, ends)
+
+    def end_of(self, number):
+        file = self.folder / f"case_{number}.toml"
+        file.write_text(draw(number))
+        tomllib.loads(file.read_text())
+        run = self.folder / f"run_{number}"
+        words = ["run", file, "-o", run, "--plain", "-j", "1"]
+        try:
+            result = subprocess.run([os.environ["RECOIL_PROGRAM"], *map(str, words)], capture_output=True, text=True,
+                                    timeout=60, check=False)
+        except subprocess.TimeoutExpired:
+            self.fail(f"took more than a minute:\n{file.read_text()}")
+        said = result.stdout + result.stderr + "\n" + file.read_text()
+        self.assertIn(result.returncode, (0, 2, 3, 6), said)
+        if result.returncode == 2:
+            self.assertIn("error:", said)
+            self.assertFalse(run.exists(), said)
+            return 2
+        if (run / "summary.json").exists():
+            budgets = json.loads((run / "summary.json").read_text())["budgets"]
+            for name, drift in budgets.items():
+                for what, value in drift.items():
+                    self.assertLessEqual(value, 1e-11, f"{what} of {name}\n{said}")
+        return result.returncode
+
+
+if __name__ == "__main__":
+    unittest.main()
