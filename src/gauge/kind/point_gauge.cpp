@@ -13,11 +13,15 @@ class PointWatch : public GaugeWatch<Dim> {
  public:
   PointWatch(const config::PointGauge& from, const WatchSetup<Dim>& setup)
       : point_{.body = body_number(setup.state, from.body),
+               .follows = from.follows,
                .at = first_components<Dim>(from.at),
                .velocity = {}},
         item_(setup.sums.item(point_sums<Dim>)) {}
 
   bool follows_every_step() const override { return point_.follows; }
+  void choose_columns(std::vector<SeriesColumn>& columns) const override {
+    if (!point_.follows) columns.resize(columns.size() - Dim);
+  }
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool /*at_rest*/,
                OrderedSums& sums) override {
     probe_point(state, point_, item_, sums);
