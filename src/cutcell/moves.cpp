@@ -15,6 +15,7 @@ namespace {
 // Parts of a cell (volumes), of a face (areas).
 constexpr double least_state_fill = 0.02;  // below it a fragment's state carries no volume
 constexpr double open_bound = 0.1;         // how far V may be below 0 or above the cell where it is not thin
+constexpr double regular_fill = 0.5;       // from which on a fragment stands in stencils
 constexpr double rounding = 1e-13;         // a smaller excess over a whole cell is none
 constexpr double ample_fill = 0.3;      // a neighbour with less does not lend to a cell that lacks volume ...
 constexpr double ample_times = 4;       // ... nor one with less than so many times what is lacking
@@ -116,6 +117,61 @@ void transfer(const MovesView<Dim>& p, BodyBlock<Dim>& b, const int* senders, in
     });
     b.updates.push_back(u);
   });
+}
+
+/// The open edge of the domain beyond which the body lies, as seen from a cell at that edge.
+struct OpenEdge {
+  int axis = -1;  // -1: none
+  bool low = false;
+};
+
+template <int Dim>
+OpenEdge edge_towards_body(const MovesView<Dim>& p, const Index<Dim>& i) {
+  const Vec<Dim> g = phi_normal(p.window.box(), p.phi, i, p.grid.dx);
+  const int axis = main_axis(g);
+  const bool low = g[axis] > 0;
+  const bool at_edge = g[axis] != 0 && i[axis] == (low ? 0 : p.grid.cells[axis] - 1) &&
+                       p.grid.edge[axis][low ? 0 : 1] == Edge::outflow;
+  return at_edge ? OpenEdge{axis, low} : OpenEdge{};
+}
+
+/// Whether a cut cell at an open edge has so little, with so little around, that no stencil reaches it any
+/// more.
+template <int Dim>
+bool is_last_at_edge(const MovesView<Dim>& p, const Index<Dim>& i) {
+  const int k = p.window.at(i);
+  if (p.kind[k] != CellKind::cut || !(p.volume[k] > 0) || p.volume[k] >= regular_fill * p.full(i))
+    return false;
+  bool at_edge = false;
+  for (int d = 0; d < Dim; ++d)
+    at_edge = at_edge || (i[d] == 0 && p.grid.edge[d][0] == Edge::outflow) ||
+              (i[d] == p.grid.cells[d] - 1 && p.grid.edge[d][1] == Edge::outflow);
+  if (!at_edge) return false;
+  Box<Dim> around{i, i};
+  for (int d = 0; d < Dim; ++d) --around.lo[d], around.hi[d] += 2;
+  bool last = true;
+  for_each(around,
+           [&](const Index<Dim>& j) { last = last && p.volume[p.window.at(j)] < regular_fill * p.full(j); });
+  return last;
+}
+
+/// Whether what a cell holds leaves through an open edge: it is beyond the surface of a body beyond that
+/// edge, or the last of one that moves out.
+template <int Dim>
+bool leaves_domain(const MovesView<Dim>& p, const Index<Dim>& i) {
+  const OpenEdge edge = edge_towards_body(p, i);
+  if (edge.axis < 0) return false;
+  if (p.kind[p.window.at(i)] == CellKind::empty) return true;
+  const double momentum = p.contents(i)[Components<Dim>::u + static_cast<std::size_t>(edge.axis)];
+  return edge.low ? momentum < 0 : momentum > 0;
+}
+
+template <int Dim>
+void book(const Contents<Dim>& contents, Account<Dim>& edges) {
+  using C = Components<Dim>;
+  edges.mass += contents[C::rho];
+  edges.energy += contents[C::energy];
+  for (int d = 0; d < Dim; ++d) edges.momentum[d] += contents[C::u + static_cast<std::size_t>(d)];
 }
 
 /// |A_I| of a cut cell, at least least_surface.
@@ -241,14 +297,15 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
 }
 
 template <int Dim>
-void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
+void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Account<Dim>& edges,
+                   Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
   MovesView<Dim> p(state, body, slot, 2, scratch);
   const auto gives = [&](const Index<Dim>& i) {
     const int k = p.window.at(i);
-    return p.kind[k] == CellKind::empty && p.volume[k] != 0;
+    return (p.kind[k] == CellKind::empty && p.volume[k] != 0) || is_last_at_edge(p, i);
   };
   int count = 0;
   const int* senders = list_senders(p, count, scratch, gives);
@@ -256,8 +313,11 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& 
   p.gather_phi();
   transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
-    t.to = p.neighbour(i, -1);
-    t.any = !(t.to == i);
+    const bool leaves = leaves_domain(p, i);
+    if (!leaves && p.kind[p.window.at(i)] == CellKind::cut) return t;
+    t.to = leaves ? i : p.neighbour(i, -1);
+    t.any = leaves || !(t.to == i);
+    if (leaves && p.window.inner().contains(i)) book<Dim>(p.contents(i), edges);
     t.volume = p.volume[p.window.at(i)];
     t.state_cell = i;
     t.factor = 1;
@@ -326,11 +386,11 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   transfer<Dim>(p, b, senders, count, scratch, decide);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                            \
-  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&); \
-  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                 \
-  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);          \
-  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);            \
+#define RECOIL_INSTANTIATE(Dim)                                                                  \
+  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);       \
+  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                       \
+  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, Account<Dim>&, Scratch&); \
+  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);                  \
   template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -22,9 +22,11 @@ void exchange_along_surface(const State<Dim>& state, Body<Dim>& body, int slot, 
 template <int Dim>
 void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot);
 
-/// Cells that the geometry shows empty give all to their neighbour inwards.
+/// Cells that the geometry shows empty give all to their neighbour inwards. Where that lies beyond an open
+/// edge of the domain the body has left, and what the cell still holds leaves too; so does the last of a body
+/// that moves out there, less than half a cell with no more around. Both are booked in `edges`.
 template <int Dim>
-void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
+void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Account<Dim>& edges, Scratch& scratch);
 
 /// Cells that the geometry shows full pass what they hold beyond a whole cell to their neighbour outwards, or
 /// take what they lack from it. In a thin body a deficit stays where the neighbour cannot give it.

@@ -11,6 +11,7 @@ RunUnits run_units(config::Geometry geometry) {
   u.stresses = {"xx", "yy", "zz"};
   u.balanced = {true};
   u.mass = "kg", u.momentum = "kg m/s", u.energy = "J", u.volume = "m3", u.force = "N", u.area = "m2";
+  u.angular_momentum = "kg m2/s";
   switch (geometry) {
     case line:
       u.mass = "kg/m2", u.momentum = "kg/(m s)", u.energy = "J/m2", u.volume = "m", u.force = "N/m2",
@@ -20,6 +21,8 @@ RunUnits run_units(config::Geometry geometry) {
       u.axes = {"x", "y"};
       u.balanced = {true, true};
       u.stresses = {"xx", "yy", "xy", "zz"};
+      u.turns = {"z"};
+      u.angular_momentum = "kg m/s";
       u.mass = "kg/m", u.momentum = "kg/s", u.energy = "J/m", u.volume = "m2", u.force = "N/m", u.area = "m";
       break;
     case axisymmetric:
@@ -32,6 +35,7 @@ RunUnits run_units(config::Geometry geometry) {
       u.axes = {"x", "y", "z"};
       u.balanced = {true, true, true};
       u.stresses = {"xx", "yy", "xy", "xz", "yz", "zz"};
+      u.turns = u.axes;
       break;
   }
   return u;

@@ -14,8 +14,9 @@ struct RunUnits {
   std::vector<std::string>
       stresses;      ///< in the order of Components::stress: "xx", "yy", ..., then the out-of-plane ones
   double whole = 1;  ///< factor of every sum: 2 pi or 1
-  std::vector<bool> balanced;  ///< whether momentum along the axis is kept; not along r
-  std::string mass, momentum, energy, volume, force, area;  ///< units of sums
+  std::vector<bool> balanced;      ///< whether momentum along the axis is kept; not along r
+  std::vector<std::string> turns;  ///< axes about which bodies turn: none, "z", or all three
+  std::string mass, momentum, energy, volume, force, area, angular_momentum;  ///< units of sums
 };
 
 RunUnits run_units(config::Geometry geometry);

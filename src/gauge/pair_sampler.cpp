@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace recoil {
 
@@ -13,8 +15,24 @@ template <int Dim>
 struct At {
   static constexpr std::size_t area = 0, traction = 1, velocity = 2, gap = 3, work = 4, force = 5,
                                impulse = force + Dim, place = impulse + Dim, sums = place + Dim;
-  static constexpr std::size_t widest = sums, deepest = sums + 1;
+  static constexpr std::size_t widest = sums, deepest = sums + 1, minus_smallest = sums + 2, maxima = 3;
 };
+
+constexpr double near_surface = 1;  // dx from the first surface within which the gap is looked for
+constexpr double gap_reach = 5;     // dx from the second
+
+/// The smallest distance between two surfaces in a block [m]: the sum of two signed distances is nowhere
+/// less.
+double smallest_gap(const FieldArray<double>& first, const FieldArray<double>& second, double dx) {
+  double least = std::numeric_limits<double>::infinity();
+#pragma omp simd reduction(min : least)
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    const double gap = first[k] + second[k];
+    const bool looked_at = std::abs(first[k]) <= near_surface * dx && std::abs(second[k]) < gap_reach * dx;
+    least = std::min(least, looked_at ? gap : std::numeric_limits<double>::infinity());
+  }
+  return least;
+}
 
 template <int Dim>
 void put(const Vec<Dim>& v, double* to) {
@@ -33,7 +51,7 @@ std::array<double, 3> take(const double* from) {
 template <int Dim>
 PairSampler<Dim>::PairSampler(int bodies, OrderedSums& sums) : pairs_(bodies * (bodies - 1) / 2) {
   for (int p = 0; p < pairs_; ++p) {
-    const int item = sums.item(At<Dim>::sums, 2);
+    const int item = sums.item(At<Dim>::sums, At<Dim>::maxima);
     if (p == 0) first_ = item;
   }
 }
@@ -55,6 +73,24 @@ void PairSampler<Dim>::collect(const State<Dim>& state, OrderedSums& sums) const
       if (r.area > 0) to[A::widest] = r.widest_gap, to[A::deepest] = -r.deepest_overlap;
     }
   }
+  collect_gaps(state, sums);
+}
+
+template <int Dim>
+void PairSampler<Dim>::collect_gaps(const State<Dim>& state, OrderedSums& sums) const {
+  const int n = state.count();
+  for (int slot = 0; slot < state.mesh.local(); ++slot)
+    for (int a = 0; a < n; ++a) {
+      const Body<Dim>& first = state.bodies[a];
+      if (!first.present(slot) || !first.at(slot).near_surface) continue;
+      for (int b = a + 1; b < n; ++b) {
+        const Body<Dim>& second = state.bodies[b];
+        if (!second.present(slot) || !second.at(slot).near_surface) continue;
+        const double gap = smallest_gap(first.at(slot).phi, second.at(slot).phi, state.grid().dx);
+        if (!std::isfinite(gap)) continue;
+        sums.add(first_ + pair_number(a, b, n), state.mesh.block(slot).order)[At<Dim>::minus_smallest] = -gap;
+      }
+    }
 }
 
 template <int Dim>
@@ -70,6 +106,7 @@ std::vector<PairSample> PairSampler<Dim>::read(const OrderedSums& sums) const {
     s.force = take<Dim>(from + A::force);
     s.impulse = take<Dim>(from + A::impulse);
     s.place = take<Dim>(from + A::place);
+    s.smallest_gap = -from[A::minus_smallest];
     if (!(s.area > 0)) continue;
     s.widest_gap = std::max(from[A::widest], 0.0);
     s.deepest_overlap = -std::max(from[A::deepest], 0.0);

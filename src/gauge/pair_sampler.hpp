@@ -8,7 +8,8 @@
 
 namespace recoil {
 
-/// Sums the records of the contacts over all blocks: one item of OrderedSums per pair.
+/// Sums the records of the contacts over all blocks, and finds the smallest gaps between the surfaces, within
+/// 5 cells, from the level sets: one item of OrderedSums per pair.
 template <int Dim>
 class PairSampler {
  public:
@@ -19,6 +20,8 @@ class PairSampler {
   std::vector<PairSample> read(const OrderedSums& sums) const;
 
  private:
+  void collect_gaps(const State<Dim>& state, OrderedSums& sums) const;
+
   int first_ = 0, pairs_ = 0;
 };
 

@@ -114,36 +114,11 @@ void follow_surface(SurfacePoint<Dim>& point, const SurfaceReading<Dim>& reading
   point.at += dot(reading.velocity, reading.normal) * dt * reading.normal;
 }
 
-template <int Dim>
-void probe_point(const State<Dim>& state, int body, const Vec<Dim>& x, int item, OrderedSums& sums) {
-  const Index<Dim> i = state.grid().cell_of(x);
-  const Body<Dim>& b = state.bodies[body];
-  if (b.rigid) return;
-  for (int slot = 0; slot < state.mesh.local(); ++slot) {
-    const Box<Dim> cells = state.mesh.block(slot).cells;
-    if (!cells.contains(i) || !b.present(slot)) continue;
-    const int k = state.grid().layout().at(i - cells.lo);
-    const double volume = b.at(slot).volume[k];
-    const Contents<Dim> contents = contents_of(b.at(slot), k);
-    if (volume < shown_fill * state.grid().full_volume(i) || !(contents[0] > 0)) return;
-    const PointState<Dim> p = point_state(b, contents, volume);
-    double* to = sums.add(item, state.mesh.block(slot).order).data();
-    *to++ = p.density;
-    for (int d = 0; d < Dim; ++d) *to++ = p.velocity[d];
-    *to++ = p.pressure;
-    for (const double s : p.stress) *to++ = s;
-    *to++ = p.von_mises;
-    *to++ = p.plastic_strain;
-    *to++ = p.temperature;
-  }
-}
-
 #define RECOIL_INSTANTIATE(Dim)                                                                             \
   template void probe_surface<Dim>(const State<Dim>&, const SurfacePoint<Dim>&, int, OrderedSums&);         \
   template void probe_surface_at_rest<Dim>(const State<Dim>&, const SurfacePoint<Dim>&, int, OrderedSums&); \
   template SurfaceReading<Dim> read_surface<Dim>(std::span<const double>);                                  \
-  template void follow_surface<Dim>(SurfacePoint<Dim>&, const SurfaceReading<Dim>&, double);                \
-  template void probe_point<Dim>(const State<Dim>&, int, const Vec<Dim>&, int, OrderedSums&);
+  template void follow_surface<Dim>(SurfacePoint<Dim>&, const SurfaceReading<Dim>&, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

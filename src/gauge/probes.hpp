@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <span>
 
-#include "gauge/point_state.hpp"
 #include "parallel/ordered_sums.hpp"
 #include "state/body.hpp"
 
@@ -46,14 +45,5 @@ SurfaceReading<Dim> read_surface(std::span<const double> sums);
 /// Moves the point by its normal velocity for a time dt [s], and gives it the surface's normal.
 template <int Dim>
 void follow_surface(SurfacePoint<Dim>& point, const SurfaceReading<Dim>& reading, double dt);
-
-/// Sums that the state at a place takes: density, velocity, pressure, stresses, von Mises stress, strain,
-/// temperature.
-template <int Dim>
-inline constexpr std::size_t point_sums = 5 + Dim + PointState<Dim>::stresses;
-
-/// Adds the state of a body in the cell that holds x, if this rank has it and it holds enough of the body.
-template <int Dim>
-void probe_point(const State<Dim>& state, int body, const Vec<Dim>& x, int item, OrderedSums& sums);
 
 }  // namespace recoil

@@ -21,7 +21,7 @@ template <int Dim>
 struct At {
   static constexpr std::size_t mass = 0, momentum = 1, kinetic = momentum + Dim, energy = kinetic + 1,
                                volume = energy + 1, speed = volume + 1, cells = speed + 1, place = cells + 1,
-                               sums = place + Dim;
+                               angular = place + Dim, sums = angular + 3;
   static constexpr std::size_t strain = sums, highest = strain + 1, minus_lowest = highest + Dim,
                                all = minus_lowest + Dim;
 };
@@ -52,12 +52,23 @@ void sum_row(const BodyBlock<Dim>& b, std::size_t first, std::size_t count, cons
     moment += m * static_cast<double>(k);
     cells += v[k] != 0 ? 1.0 : 0.0;
   }
+  Vec<3> sum, lever;  // of momentum, and of momentum times the distance from `start` in cells
   for (std::size_t d = 0; d < Dim; ++d) {
-    double p = 0;
-#pragma omp simd reduction(+ : p)
-    for (std::size_t k = 0; k < count; ++k) p += q[(C::u + d) * n + k];
+    double p = 0, kp = 0;
+#pragma omp simd reduction(+ : p, kp)
+    for (std::size_t k = 0; k < count; ++k) {
+      const double m = q[(C::u + d) * n + k];
+      p += m;
+      kp += m * static_cast<double>(k);
+    }
     momentum[d] = p;
+    sum[static_cast<int>(d)] = p, lever[static_cast<int>(d)] = kp;
   }
+  const Vec<3> about_start = cross(Vec<3>{{dx, 0, 0}}, lever);
+  Vec<3> from;
+  for (int d = 0; d < Dim; ++d) from[d] = start[d];
+  const Vec<3> whole = cross(from, sum) + about_start;
+  for (std::size_t d = 0; d < 3; ++d) out[A::angular + d] += whole[static_cast<int>(d)];
   out[A::mass] += mass, out[A::kinetic] += kinetic, out[A::energy] += energy, out[A::volume] += volume;
   out[A::speed] += speed, out[A::cells] += cells;
   for (std::size_t d = 0; d < Dim; ++d) {
@@ -129,6 +140,7 @@ BodyTotals<Dim> take_body(std::span<const double> row) {
   t.mass = row[A::mass], t.kinetic = row[A::kinetic], t.energy = row[A::energy], t.volume = row[A::volume];
   t.speed = row[A::speed], t.cells = std::llround(row[A::cells]);
   t.plastic_strain = std::max(row[A::strain], 0.0);
+  for (int d = 0; d < 3; ++d) t.angular_momentum[d] = row[A::angular + static_cast<std::size_t>(d)];
   for (int d = 0; d < Dim; ++d) {
     const auto e = static_cast<std::size_t>(d);
     t.momentum[d] = row[A::momentum + e];
@@ -139,6 +151,18 @@ BodyTotals<Dim> take_body(std::span<const double> row) {
     t.lowest[d] = somewhere ? -row[A::minus_lowest + e] : nowhere;
   }
   return t;
+}
+
+/// Where a surface runs into an edge of the domain, balls near it reach beyond; the body ends there, or is
+/// mirrored.
+template <int Dim>
+void end_at_edges(const Grid<Dim>& grid, BodyTotals<Dim>& t) {
+  for (int d = 0; d < Dim; ++d) {
+    if (grid.periodic(d) || std::isnan(t.lowest[d])) continue;
+    const double low = grid.origin[d], high = grid.origin[d] + grid.cells[d] * grid.dx;
+    t.lowest[d] = std::clamp(t.lowest[d], low, high);
+    t.highest[d] = std::clamp(t.highest[d], low, high);
+  }
 }
 
 /// A free rigid body holds what it has been given; one that moves as prescribed counts as nothing.
@@ -153,6 +177,7 @@ BodyTotals<Dim> rigid_totals(const RigidMotion<Dim>& m) {
   t.energy = m.mass->energy;
   t.speed = norm(t.momentum);
   t.place = t.mass * m.centre;
+  t.angular_momentum = m.mass->start_moment;  // to which comes what it has received
   return t;
 }
 
@@ -187,7 +212,8 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
   const int bodies = state.count(), pairs = bodies * (bodies - 1) / 2;
   OrderedSums sums;  // items: all bodies, their edges, all pairs
   for (int m = 0; m < bodies; ++m) sums.item(A::sums, A::all - A::sums);
-  for (int m = 0; m < bodies + pairs; ++m) sums.item(2 + Dim);
+  for (int m = 0; m < bodies; ++m) sums.item(2 + Dim);
+  for (int p = 0; p < pairs; ++p) sums.item(2 + Dim + 3);
   const std::vector<double> rows = sum_blocks(state, team);
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
     const long order = state.mesh.block(slot).order;
@@ -203,8 +229,11 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
         put(ledger.edges[e], sums.add(bodies + m, order));
     }
     for (std::size_t p = 0; p < ledger.pairs.size(); ++p)
-      if (!empty(ledger.pairs[p].exchanged))
-        put(ledger.pairs[p].exchanged, sums.add(2 * bodies + static_cast<int>(p), order));
+      if (!empty(ledger.pairs[p].exchanged)) {
+        const std::span<double> row = sums.add(2 * bodies + static_cast<int>(p), order);
+        put(ledger.pairs[p].exchanged, row);
+        std::copy_n(ledger.pairs[p].moment.c.begin(), 3, row.begin() + 2 + Dim);
+      }
   }
   sums.reduce(world);
   Totals<Dim> t;
@@ -212,10 +241,18 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
   t.time = state.time;
   for (int m = 0; m < bodies; ++m) {
     t.bodies.push_back(take_body<Dim>(sums.total(m)));
+    end_at_edges(state.grid(), t.bodies.back());
     if (state.bodies[m].rigid) t.bodies.back() = rigid_totals(*state.bodies[m].rigid);
     t.edges.push_back(take_account<Dim>(sums.total(bodies + m)));
   }
-  for (int p = 0; p < pairs; ++p) t.pairs.push_back(take_account<Dim>(sums.total(2 * bodies + p)));
+  for (int p = 0; p < pairs; ++p) {
+    const std::span<const double> row = sums.total(2 * bodies + p);
+    t.pairs.push_back(take_account<Dim>(row));
+    t.moments.push_back({{row[2 + Dim], row[3 + Dim], row[4 + Dim]}});
+  }
+  for (int m = 0; m < bodies; ++m)
+    if (state.bodies[m].rigid && state.bodies[m].rigid->mass)
+      t.bodies[m].angular_momentum += received_moment(t, m);
   return t;
 }
 
@@ -235,9 +272,22 @@ Account<Dim> received(const Totals<Dim>& totals, int m) {
   return all;
 }
 
+template <int Dim>
+Vec<3> received_moment(const Totals<Dim>& totals, int m) {
+  Vec<3> all;
+  const int n = static_cast<int>(totals.bodies.size());
+  for (int other = 0; other < n; ++other) {
+    if (other == m) continue;
+    const Vec<3>& moment = totals.moments[pair_number(std::min(m, other), std::max(m, other), n)];
+    all += (m < other ? 1.0 : -1.0) * moment;
+  }
+  return all;
+}
+
 #define RECOIL_INSTANTIATE(Dim)                                                                      \
   template Totals<Dim> find_totals<Dim>(const State<Dim>&, const parallel::World&, parallel::Team*); \
-  template Account<Dim> received<Dim>(const Totals<Dim>&, int);
+  template Account<Dim> received<Dim>(const Totals<Dim>&, int);                                      \
+  template Vec<3> received_moment<Dim>(const Totals<Dim>&, int);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -19,6 +19,8 @@ struct BodyTotals {
   double volume = 0;          // m^3 (1d: m, planar: m^2)
   double speed = 0;           // kg m/s, sum of m |u|: the scale of momentum
   Vec<Dim> place;             // kg m, sum of m x
+  Vec<3> angular_momentum;    // kg m2/s about the origin: x cross m u at the centres of cells; planar: the
+                              // third; 0 in 1d, and of no meaning where axisymmetric
   double plastic_strain = 0;  // largest, in fragments of at least 0.3 of a cell
   Vec<Dim> lowest, highest;   // m, extent; NaN where the body is nowhere
   std::int64_t cells = 0;     // with matter
@@ -34,6 +36,7 @@ struct Totals {
   std::vector<BodyTotals<Dim>> bodies;  // zeros for rigid ones that move as prescribed
   std::vector<Account<Dim>> edges;      // by body: what has left
   std::vector<Account<Dim>> pairs;      // by pair_number: received by the lower-numbered body
+  std::vector<Vec<3>> moments;          // the same of the angular momentum about the origin
 };
 
 /// Collective; the result is on rank 0, empty elsewhere. The bits do not depend on ranks or threads.
@@ -45,5 +48,9 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world,
 /// What body m has received over all its contacts since the start. Rigid partners count.
 template <int Dim>
 Account<Dim> received(const Totals<Dim>& totals, int m);
+
+/// The same of its angular momentum about the origin [kg m2/s].
+template <int Dim>
+Vec<3> received_moment(const Totals<Dim>& totals, int m);
 
 }  // namespace recoil

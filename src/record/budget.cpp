@@ -24,6 +24,7 @@ BudgetWatch<Dim>::BudgetWatch(std::vector<std::string> names, std::vector<bool> 
     worst_.push_back({names[m]});
   }
   now_ = worst_;
+  for (const Drift& line : worst_) turning_.push_back({line.name, {}, {}});
   lines_.resize(body_.size());
 }
 
@@ -44,11 +45,16 @@ typename BudgetWatch<Dim>::Sums BudgetWatch<Dim>::owed(const Totals<Dim>& t, int
     add(1, {t.bodies[e].mass, t.bodies[e].energy, t.bodies[e].momentum});
     add(1, t.edges[e]);
     s.speed += t.bodies[e].speed;
+    s.angular_momentum += t.bodies[e].angular_momentum;
   }
   for (int a = 0; a < n; ++a)
     for (int b = a + 1; b < n; ++b)
-      if (counts(a) != counts(b))  // between two that count it cancels
-        add(counts(a) ? -1 : 1, t.pairs[pair_number(a, b, n)]);
+      if (counts(a) != counts(b)) {  // between two that count it cancels
+        const int pair = pair_number(a, b, n);
+        const double sign = counts(a) ? -1 : 1;
+        add(sign, t.pairs[pair]);
+        if (!t.moments.empty()) s.angular_momentum += sign * t.moments[pair];
+      }
   return s;
 }
 
@@ -92,7 +98,15 @@ void BudgetWatch<Dim>::look(const Totals<Dim>& t) {
     all += energy;
   }
   lines_[0].most_energy = std::max(lines_[0].most_energy, std::abs(all));
-  for (std::size_t l = 0; l < lines_.size(); ++l) judge(l, owed(t, body_[l]));
+  turning_[0].now = {};
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    const Sums s = owed(t, body_[l]);
+    judge(l, s);
+    turning_[l].unbalanced = s.angular_momentum - lines_[l].start.angular_momentum;
+    if (l == 0) continue;
+    turning_[l].now = t.bodies[body_[l]].angular_momentum;
+    turning_[0].now += turning_[l].now;
+  }
 }
 
 template class BudgetWatch<1>;

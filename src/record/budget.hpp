@@ -21,6 +21,13 @@ struct Drift {
   }
 };
 
+/// Angular momentum about the origin of one body, or of `total` [kg m2/s].
+struct Turning {
+  std::string name;
+  Vec<3> now;         ///< what it holds
+  Vec<3> unbalanced;  ///< change since the start that contacts do not account for: errors, and what edges did
+};
+
 /// Compares what each deformable body holds with what it held at the start, what it has received over its
 /// contacts and what has left through the edges of the domain; and the same for all of them together
 /// (`total`), where only rigid bodies and the edges count. Momentum along r is not kept by an axisymmetric
@@ -42,6 +49,9 @@ class BudgetWatch {
   /// Those of the last look.
   const std::vector<Drift>& now() const { return now_; }
 
+  /// Angular momentum at the last look, in the same order. The scheme does not keep it exactly.
+  const std::vector<Turning>& turning() const { return turning_; }
+
   /// For checkpoints (parallel/archive.hpp).
   template <class Archive>
   void transfer(Archive& a) {
@@ -52,6 +62,7 @@ class BudgetWatch {
   struct Sums {
     double mass = 0, energy = 0, speed = 0;
     Vec<Dim> momentum;
+    Vec<3> angular_momentum;
   };
   struct Line {
     Sums start;
@@ -65,6 +76,7 @@ class BudgetWatch {
   std::vector<int> body_;  // of each line; -1: total
   std::vector<Line> lines_;
   std::vector<Drift> worst_, now_;
+  std::vector<Turning> turning_;
 };
 
 }  // namespace recoil

@@ -15,7 +15,7 @@ namespace recoil {
 /// One thing that happened: a line of events.csv and of the live display.
 struct Event {
   double time = 0;            ///< s
-  std::string kind;           ///< contact, opening, reclosure, ricochet or lift-off
+  std::string kind;           ///< contact, opening, separation, reclosure, ricochet or lift-off
   std::string bodies;         ///< "flyer-target"
   std::vector<double> place;  ///< m, mean place of the contact; one component per axis, empty: none
   std::string detail;
@@ -29,44 +29,61 @@ struct Event {
 /// What became of the contact of one pair of bodies. Times are NaN where it did not come to that.
 struct PairStory {
   std::string first, second;
-  double made = 0;                       ///< s, start of the first step in which they touched
-  double opens = 0;                      ///< s, end of the last step before the first opening
-  bool recloses = false;                 ///< touched again after an opening
+  double made = 0;                       ///< s, when they first touched
+  double opens = 0;                      ///< s, end of the last step with force before the first opening
+  double separates = 0;                  ///< s, when their gap was first open everywhere after a touch
+  bool recloses = false;                 ///< pressed again after an opening
   bool open = true;                      ///< apart now
   double lift_first = 0, lift_last = 0;  ///< s, first and last local opening while they touched elsewhere
-  double closes_again = 0;               ///< s, start of the first step of the first touch after an opening
+  double closes_again = 0;               ///< s, when they first touched after an opening
   double opens_again = 0;                ///< s, as `opens`, of the second opening
-  double restitution = 0;  ///< relative velocity of the mean motions along the impulse: after the last
-                           ///< opening over before the first touch, turned around
+  double restitution = 0;                ///< relative velocity of the mean motions along the impulse: at the
+                                         ///< last opening over before the first touch, turned around
 
   template <class Archive>
   void transfer(Archive& a) {
-    a(first, second, made, opens, recloses, open, lift_first, lift_last, closes_again, opens_again,
+    a(first, second, made, opens, separates, recloses, open, lift_first, lift_last, closes_again, opens_again,
       restitution);
   }
 };
 
-/// A change of contact is believed when it has lasted this many steps, or to the end of the run.
-inline constexpr int opening_steps = 20;
+/// From when on a change of contact is believed.
+struct ContactRule {
+  std::vector<double> hold;  ///< s, by pair_number(): so long it must last, or to the end of the run
+  double gap = 0;            ///< m: surfaces farther apart than this everywhere are separate
+};
 
-/// Watches the contact of all pairs. A pair touches where its contact area is above zero (1d), or at least
-/// half of the largest so far. A touch counts at once; an opening counts when the pair has stayed apart for
-/// `opening_steps` steps or until the end of the run, and then has the time at which it began, so that
-/// contact that flickers from step to step is one contact. On rank 0 only.
+/// A force below this part of the largest so far is none.
+inline constexpr double least_force = 1e-3;
+
+/// Watches the contact of all pairs. A pair presses in a step that has contact area and at least
+/// `least_force` of the largest force so far.
+///   contact     the first such step; the time within it follows from the gap before it and its rate
+///   opening     the end of the last such step, once the pair has not pressed for the hold time
+///   separation  the gap is wider than ContactRule::gap everywhere, and stays so for the hold time
+///   reclosure   after an opening the pair presses again: at once where it had separated, else once it has
+///               pressed for the hold time
+///   ricochet    at the last opening a body's velocity towards its partner is reversed
+/// All have the time at which they began, and the velocities of that time. So contact that flickers from step
+/// to step is one contact, and so are bodies that fly on in touch. On rank 0 only.
 class EventWatch {
  public:
-  /// @param names of all bodies in their order; @param geometry decides between the two rules of touching.
-  /// @param sided axes with a closed end (a plane of symmetry or slip wall): the velocities found from
-  /// impulses of contact do not hold along them and are left out.
-  EventWatch(std::vector<std::string> names, config::Geometry geometry, std::array<bool, 3> sided = {});
+  /// @param names of all bodies in their order.
+  /// @param sided axes with a closed end (a plane of symmetry or slip wall), along which a body is but half
+  /// of one: its velocity along them is left out.
+  EventWatch(std::vector<std::string> names, config::Geometry geometry, ContactRule rule,
+             std::array<bool, 3> sided = {});
   ~EventWatch();
   EventWatch(EventWatch&&) noexcept;
 
-  /// Motion of the bodies at the start, from which their later velocities follow by the impulses they
-  /// received: mass and momentum [3 components] per body, in any common unit; mass 0 for rigid ones.
-  void begin(const std::vector<BodyMotion>& start);
-  /// @param time at the end of the step of length dt [s]; @param pairs all pairs, by pair_number().
-  void step(double time, double dt, const std::vector<PairSample>& pairs);
+  /// @param pairs at the start: their gaps.
+  void begin(const std::vector<PairSample>& pairs);
+  /// Whether the next step() takes the motion of the bodies: a contact or an opening has begun.
+  bool needs_motion(const std::vector<PairSample>& pairs) const;
+  /// @param time at the end of the step of length dt [s]; @param pairs all pairs, by pair_number();
+  /// @param motion of all bodies at that time where needs_motion(), else anything.
+  void step(double time, double dt, const std::vector<PairSample>& pairs,
+            const std::vector<BodyMotion>& motion);
   /// A place where the pair's surfaces parted at `time` while the pair touched elsewhere.
   void lift_off(std::size_t pair, double time, const std::vector<double>& place);
   /// Believes the openings that are still on trial; adds lift-offs and ricochets.

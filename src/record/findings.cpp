@@ -26,6 +26,8 @@ void add_body(Quantities& q, const RunUnits& u, const std::string& name, const B
   q.numbers[name + ".internal"] = u.whole * b.internal();
   q.numbers[name + ".energy"] = u.whole * b.energy;
   add_vector(q, u, name + ".momentum", b.momentum, u.whole);
+  for (std::size_t k = 0; k < u.turns.size(); ++k)
+    q.numbers[name + ".angular-momentum." + u.turns[k]] = b.angular_momentum.c[3 - u.turns.size() + k];
 }
 
 void add_contacts(Quantities& q, const EventWatch& events) {
@@ -34,15 +36,19 @@ void add_contacts(Quantities& q, const EventWatch& events) {
       const std::string name = "contact." + pair;
       q.numbers[name + ".made"] = s.made;
       q.numbers[name + ".opens"] = s.opens;
+      q.numbers[name + ".separates"] = s.separates;
+      q.numbers[name + ".first-lift-off"] = s.lift_first;
+      q.numbers[name + ".last-lift-off"] = s.lift_last;
       q.numbers[name + ".lasts"] = s.opens - s.made;
       q.numbers[name + ".recloses"] = s.closes_again;
       q.numbers[name + ".reopens"] = s.opens_again;
       q.numbers[name + ".restitution"] = s.restitution;
       q.flags[name + ".made"] = !std::isnan(s.made);
       q.flags[name + ".opens"] = !std::isnan(s.opens);
+      q.flags[name + ".separates"] = !std::isnan(s.separates);
       q.flags[name + ".recloses"] = s.recloses;
     }
-  for (const char* kind : {"contact", "opening", "reclosure", "ricochet", "lift-off"})
+  for (const char* kind : {"contact", "opening", "separation", "reclosure", "ricochet", "lift-off"})
     q.flags[std::string("event.") + kind] = false;
   for (const Event& e : events.events()) q.flags["event." + e.kind] = true;
 }
@@ -68,6 +74,7 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
     add_vector(q, units, name + ".lowest", b.lowest);
     add_vector(q, units, name + ".highest", b.highest);
     all.mass += b.mass, all.kinetic += b.kinetic, all.energy += b.energy, all.momentum += b.momentum;
+    all.angular_momentum += b.angular_momentum;
   }
   add_body(q, units, "body.total", all);
   for (const Drift& d : budgets) {

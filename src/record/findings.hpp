@@ -18,7 +18,8 @@ namespace recoil {
 ///   body.NAME.  mass, kinetic, internal, energy, volume, plastic-strain, and by AXIS momentum, velocity,
 ///   position, lowest, highest body.total. mass, kinetic, internal, energy, and by AXIS momentum
 ///   budget.NAME.mass|momentum|energy; floor.NAME; run.steps
-///   contact.A-B.made|opens|lasts|recloses|reopens|restitution in either order of the names; event.KIND
+///   contact.A-B.made|opens|separates|lasts|recloses|reopens|restitution in either order of the names;
+///   event.KIND
 /// With one axis only, vectors also go by their name without it.
 template <int Dim>
 Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::string>& names,

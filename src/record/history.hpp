@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,10 +13,10 @@
 namespace recoil {
 
 /// history.csv: `time [us]`, then for every deformable body, and for `total`, columns NAME.QUANTITY:
-/// mass, momentum.AXIS, kinetic, internal, volume; exchange.impulse.AXIS and exchange.work, received over the
-/// contacts since the start (for `total`: from rigid bodies); edges.mass, edges.momentum.AXIS, edges.energy,
-/// what has left through the edges of the domain; drift.mass, drift.momentum, drift.energy (see Drift). On
-/// rank 0 only.
+/// mass, momentum.AXIS, angular-momentum.AXIS (planar: z; 3d), kinetic, internal, volume;
+/// exchange.impulse.AXIS, exchange.moment.AXIS and exchange.work, received over the contacts since the start
+/// (for `total`: from rigid bodies); edges.mass, edges.momentum.AXIS, edges.energy, what has left through the
+/// edges of the domain; drift.mass, drift.momentum, drift.energy (see Drift). On rank 0 only.
 template <int Dim>
 class History {
  public:
@@ -30,6 +31,7 @@ class History {
  private:
   std::vector<bool> rigid_;
   double whole_;
+  std::size_t turns_;
   std::optional<CsvWriter> file_;
   std::vector<double> values_;
 };

@@ -1,16 +1,37 @@
 #include "record/lift_off.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 
+#include "field/window.hpp"
 #include "parallel/archive.hpp"
-#include "record/events.hpp"
 
 namespace recoil {
 
 namespace {
 
 constexpr double parted = 0.1;  // dx between surfaces that no longer count as in contact
+
+/// Whether a body's surface runs through a cell; the slot may be a copy.
+template <int Dim>
+bool has_surface(const State<Dim>& state, int body, int slot, int cell) {
+  const BodyBlock<Dim>& b = state.bodies[body].at(slot);
+  if (!b.present) return false;
+  const double half_diagonal = 0.5 * std::sqrt(static_cast<double>(Dim)) * state.grid().dx;
+  return std::abs(b.phi[cell]) <= half_diagonal;
+}
+
+/// Whether a pair touched in a cell in the last step; the slot may be a copy. A rigid body remembers nothing.
+template <int Dim>
+bool touches(const State<Dim>& state, int lower, int higher, int slot, int cell) {
+  for (const auto& [m, partner] : {std::pair{lower, higher}, std::pair{higher, lower}}) {
+    const Body<Dim>& body = state.bodies[m];
+    if (!body.rigid && body.present(slot) && (body.at(slot).contact[cell] >> partner & 1U) != 0) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -22,8 +43,7 @@ void LiftOffWatch<Dim>::note(const State<Dim>& state) {
     for (const Contact<Dim>& c : state.contacts[slot]) {
       const int lower = std::min(c.first, c.second), higher = std::max(c.first, c.second);
       Touched& t = touched_[{slot, pair_number(lower, higher, state.count())}];
-      if (t.step.empty()) t = {lower, higher, std::vector<long>(n, -1), std::vector<double>(n, 0.0)};
-      t.step[c.cell] = state.step;
+      if (t.time.empty()) t = {lower, higher, std::vector<double>(n, -1.0)};
       t.time[c.cell] = state.time;
     }
 }
@@ -32,31 +52,32 @@ template <int Dim>
 void LiftOffWatch<Dim>::scan(const State<Dim>& state, int slot, int pair, Touched& t,
                              parallel::Bytes& out) const {
   const Box<Dim> layout = state.grid().layout();
-  const auto& first = state.bodies[t.lower].at(slot);
-  const auto& second = state.bodies[t.higher].at(slot);
+  const BodyBlock<Dim>&first = state.bodies[t.lower].at(slot), &second = state.bodies[t.higher].at(slot);
   if (!first.present || !second.present) return;
-  for (std::size_t k = 0; k < t.step.size(); ++k) {
-    const long since = state.step - t.step[k];
-    if (t.step[k] < 0 || since < opening_steps) continue;
+  const Index<Dim> home = state.mesh.block(slot).cells.lo;
+  const Window<Dim> window(state.mesh, slot, 1);
+  const double hold = hold_[pair], dx = state.grid().dx;
+  const auto touched_lately = [&](std::size_t k) { return t.time[k] >= 0 && state.time - t.time[k] < hold; };
+  for (std::size_t k = 0; k < t.time.size(); ++k) {
+    if (t.time[k] < 0 || touched_lately(k)) continue;
     const Index<Dim> i = layout.index(static_cast<int>(k));
     Box<Dim> around{i, i};
-    for (int d = 0; d < Dim; ++d) {
-      around.lo[d] = std::max(i[d] - 1, layout.lo[d]);
-      around.hi[d] = std::min(i[d] + 2, layout.hi[d]);
-    }
+    for (int d = 0; d < Dim; ++d) --around.lo[d], around.hi[d] += 2;
     bool touching = false, first_near = false, second_near = false;
     for_each(around, [&](const Index<Dim>& j) {
-      const auto at = static_cast<std::size_t>(layout.at(j));
-      touching = touching || (t.step[at] >= 0 && state.step - t.step[at] < opening_steps);
-      first_near = first_near || first.geometry.index[at] >= 0;
-      second_near = second_near || second.geometry.index[at] >= 0;
+      const auto from = window.source_inside(home + j);
+      if (from.slot < 0) return;
+      first_near = first_near || has_surface(state, t.lower, from.slot, from.cell);
+      second_near = second_near || has_surface(state, t.higher, from.slot, from.cell);
+      touching = touching || (layout.contains(j) ? touched_lately(layout.at(j))
+                                                 : touches(state, t.lower, t.higher, from.slot, from.cell));
     });
     const bool both_near = first_near && second_near;
-    if (both_near && (touching || first.phi[k] + second.phi[k] < parted * state.grid().dx)) continue;
-    t.step[k] = -1;  // decided
+    if (both_near && (touching || first.phi[k] + second.phi[k] < parted * dx)) continue;
+    const double time = std::exchange(t.time[k], -1.0);  // decided
     if (!both_near) continue;
     parallel::pack(out, state.mesh.block(slot).order);
-    parallel::pack(out, Place{pair, t.time[k], state.grid().centre(state.mesh.block(slot).cells.lo + i)});
+    parallel::pack(out, Place{pair, time, state.grid().centre(home + i)});
   }
 }
 

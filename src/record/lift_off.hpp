@@ -9,10 +9,13 @@
 
 namespace recoil {
 
+/// Lift-off is looked for in every so many steps.
+inline constexpr int lift_off_steps = 20;
+
 /// Looks for places where two surfaces have parted although both are still there: cells in which a body
-/// touched a partner, where for `opening_steps` steps neither the cell nor one around it has touched, and
-/// where both surfaces are still near. A contact that has only moved on leaves no such place. Cells around
-/// are looked for in the same block only.
+/// touched a partner, where for the pair's hold time neither the cell nor one around it has touched, and
+/// where both surfaces are still near. A contact that has only moved on leaves no such place. Of cells around
+/// in other blocks only the last step is known.
 template <int Dim>
 class LiftOffWatch {
  public:
@@ -22,10 +25,13 @@ class LiftOffWatch {
     Vec<Dim> at;      // m, middle of the cell
   };
 
+  /// @param hold [s] by pair_number(), as in ContactRule.
+  explicit LiftOffWatch(std::vector<double> hold) : hold_(std::move(hold)) {}
+
   /// Remembers which cells touch; after every step. Not collective.
   void note(const State<Dim>& state);
-  /// What has parted since the last call; to be called every `opening_steps` steps. Collective; on rank 0, in
-  /// the order of the blocks.
+  /// What has parted since the last call; to be called every `lift_off_steps` steps. Collective; on rank 0,
+  /// in the order of the blocks.
   std::vector<Place> collect(const State<Dim>& state, const parallel::World& world);
 
   /// For checkpoints: what is known of one block, and the same back.
@@ -35,16 +41,16 @@ class LiftOffWatch {
  private:
   struct Touched {
     int lower = 0, higher = 0;  // bodies
-    std::vector<long> step;     // of the last touch, by cell; -1: never
-    std::vector<double> time;   // s
+    std::vector<double> time;   // s, of the last touch, by cell; -1: never
 
     template <class Archive>
     void transfer(Archive& a) {
-      a(lower, higher, step, time);
+      a(lower, higher, time);
     }
   };
   void scan(const State<Dim>& state, int slot, int pair, Touched& touched, parallel::Bytes& out) const;
 
+  std::vector<double> hold_;
   std::map<std::pair<int, int>, Touched> touched_;  // by slot and pair
 };
 

@@ -50,17 +50,7 @@ void Recorder<Dim>::begin(const State<Dim>& state) {
   const Totals<Dim> totals = find_totals(state, p.world, p.team);
   if (p.first()) {
     p.budget.begin(totals);
-    std::vector<BodyMotion> start;
-    for (const BodyTotals<Dim>& b : totals.bodies) {
-      BodyMotion& motion = start.emplace_back();
-      motion.mass = b.mass;
-      const auto& rigid = state.bodies[start.size() - 1].rigid;
-      for (int d = 0; d < Dim; ++d) {
-        motion.momentum[d] = b.momentum[d];
-        if (rigid) motion.velocity[d] = rigid->velocity[d];
-      }
-    }
-    p.events.begin(start);
+    p.events.begin(p.pairs);
     p.look(totals, true);
   }
   p.history_due.done(state.time);
@@ -83,7 +73,7 @@ void Recorder<Dim>::after_step(const State<Dim>& state, double dt) {
   if (p.first() && (history || bodies)) p.look(totals, history);
   if (history) p.history_due.done(state.time);
   p.gauges.record(state.time, dt, p.sums, p.pairs, bodies ? &totals : nullptr);
-  if (p.first()) p.events.step(state.time, dt, p.pairs);
+  p.follow_contacts(state, history || bodies ? &totals : nullptr);
   p.look_for_lift_off(state);
   p.save_events();
   p.dump_if_due(state);
@@ -113,6 +103,7 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
     for (const CheckResult& r : s.expect) s.passed = s.passed && r.pass;
     for (const auto& b : totals.bodies) s.cells += b.cells;
     s.budgets = p.budget.worst();
+    s.turns = p.units.turns, s.turning_unit = p.units.angular_momentum, s.turning = p.budget.turning();
     s.gauges = summarise(q.gauges);
     s.events = p.events.events();
   }

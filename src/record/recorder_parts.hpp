@@ -59,6 +59,41 @@ inline std::array<bool, 3> closed_axes(const config::Domain& domain) {
   return closed;
 }
 
+/// What changes of contact must last: twenty transits of a cell by sound, of the pair's slower body. A gap of
+/// a tenth of a cell is what the scheme keeps between surfaces that touch.
+template <int Dim>
+ContactRule contact_rule(const State<Dim>& state) {
+  constexpr double held_transits = 20, open_gap = 0.1;
+  const double dx = state.grid().dx;
+  ContactRule rule;
+  rule.gap = open_gap * dx;
+  for (int a = 0; a < state.count(); ++a)
+    for (int b = a + 1; b < state.count(); ++b) {
+      double hold = 0;
+      for (const int m : {a, b})
+        if (!state.bodies[m].rigid)
+          hold = std::max(hold, held_transits * dx / bulk_sound_speed(state.bodies[m].material));
+      rule.hold.push_back(hold);
+    }
+  return rule;
+}
+
+/// Motion of all bodies, as the gauges of kind `body` have it.
+template <int Dim>
+std::vector<BodyMotion> motion_of(const State<Dim>& state, const Totals<Dim>& totals) {
+  std::vector<BodyMotion> all;
+  for (const BodyTotals<Dim>& b : totals.bodies) {
+    BodyMotion& motion = all.emplace_back();
+    motion.mass = b.mass;
+    const auto& rigid = state.bodies[all.size() - 1].rigid;
+    for (int d = 0; d < Dim; ++d) {
+      motion.momentum[d] = b.momentum[d];
+      if (rigid) motion.velocity[d] = rigid->velocity[d];
+    }
+  }
+  return all;
+}
+
 inline void write_events(const std::filesystem::path& path, const std::vector<Event>& events) {
   CsvWriter file(path, {"time [us]", "event", "bodies", "place [mm]", "detail"});
   for (const Event& e : events) {
@@ -105,7 +140,8 @@ struct Recorder<Dim>::Parts {
         rigid(rigid_bodies(state)),
         sampler(state.count(), sums),
         gauges(c, state, w, make_folder("gauges"), sums),
-        events(names, c.domain.geometry, closed_axes(c.domain)),
+        events(names, c.domain.geometry, contact_rule(state), closed_axes(c.domain)),
+        lift_off(contact_rule(state).hold),
         budget(names, rigid, units.balanced),
         fields(make_folder("fields"), case_name(c), c.output.fields.variables),
         survey(state, c.limits),
@@ -146,10 +182,21 @@ struct Recorder<Dim>::Parts {
     history_last = totals.time;
   }
 
+  /// Takes the step into account in the contacts' stories. Collective.
+  void follow_contacts(const State<Dim>& state, const Totals<Dim>* totals) {
+    std::vector<BodyMotion> motion;
+    if (world.any(first() && events.needs_motion(pairs))) {
+      Totals<Dim> own;
+      if (totals == nullptr) own = find_totals(state, world, team);
+      motion = motion_of(state, totals == nullptr ? own : *totals);
+    }
+    if (first()) events.step(state.time, dt, pairs, motion);
+  }
+
   void look_for_lift_off(const State<Dim>& state) {
     if (Dim == 1) return;
     lift_off.note(state);
-    if (state.step % opening_steps != 0) return;
+    if (state.step % lift_off_steps != 0) return;
     const auto places = lift_off.collect(state, world);
     if (!first()) return;
     const std::vector<PairStory> stories = events.stories();

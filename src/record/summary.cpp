@@ -1,6 +1,7 @@
 #include "record/summary.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 
 #include "config/units.hpp"
@@ -19,6 +20,19 @@ Json budgets_json(const std::vector<Drift>& budgets) {
   Json all = Json::object();
   for (const Drift& d : budgets)
     all[d.name] = {{"mass", number(d.mass)}, {"momentum", number(d.momentum)}, {"energy", number(d.energy)}};
+  return all;
+}
+
+Json turning_json(const Summary& s) {
+  Json all = Json::object();
+  for (const Turning& t : s.turning) {
+    Json& one = all[t.name];
+    for (std::size_t k = 0; k < s.turns.size(); ++k) {
+      const std::size_t c = 3 - s.turns.size() + k;  // planar: the third
+      one[s.turns[k]] = {{"now", number(t.now.c[c])}, {"unbalanced", number(t.unbalanced.c[c])}};
+    }
+    one["unit"] = s.turning_unit;
+  }
   return all;
 }
 
@@ -104,6 +118,7 @@ void write_summary(const std::filesystem::path& path, const Summary& s) {
   j["cpu_s"] = number(s.cpu_s);
   j["rate_mcell_stage_per_s"] = number(s.rate);
   j["budgets"] = budgets_json(s.budgets);
+  if (!s.turns.empty()) j["angular_momentum"] = turning_json(s);
   j["gauges"] = gauges_json(s.gauges);
   j["events"] = events_json(s.events);
   Json floors = Json::object();

@@ -44,6 +44,9 @@ struct Summary {
   std::int64_t cells = 0;                  ///< with matter, at the end
   double wall_s = 0, cpu_s = 0, rate = 0;  ///< s, s; million cell stages per second
   std::vector<Drift> budgets;              ///< of `total`, then of every deformable body
+  std::vector<std::string> turns;          ///< axes of angular momentum; none where there is none
+  std::string turning_unit;
+  std::vector<Turning> turning;  ///< in the order of `budgets`
   std::vector<GaugeSummary> gauges;
   std::vector<Event> events;
   std::vector<std::pair<std::string, std::int64_t>> floors;

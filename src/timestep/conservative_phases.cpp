@@ -90,7 +90,8 @@ void empty_and_fill(StepRun<Dim>& step) {
   static constexpr FieldAccess empty{"empty outside", contents | volume | end_geometry | phi, {}, updates},
       fill{"fill inside", contents | volume | end_geometry | phi, {}, updates};
   step.for_each_body(StepPhase::moves, empty, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    empty_outside(step.state(), body, slot, scratch);
+    State<Dim>& state = step.state();
+    empty_outside(state, body, slot, state.ledger[slot].edges[&body - state.bodies.data()], scratch);
   });
   apply_updates(step, StepPhase::moves);
   step.for_each_body(StepPhase::moves, fill, [&](Body<Dim>& body, int slot, Scratch& scratch) {

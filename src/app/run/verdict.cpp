@@ -55,10 +55,7 @@ void tell_expectations(Reporter& reporter, const std::vector<CheckResult>& all) 
 
 void tell_validity(Reporter& reporter, const Verdict& v) {
   const std::string name = name_of(v.kind);
-  if (v.kind == Verdict::Kind::valid)
-    reporter.say("verdict: valid");
-  else
-    reporter.insist(fmt::format("verdict: {}", name));
+  reporter.insist(fmt::format("verdict: {}", name));
   for (const Reason& r : v.reasons) reporter.insist(fmt::format("  {}: {}", name, r.text));
   for (const std::string& note : v.notes) reporter.say("  " + note);
 }

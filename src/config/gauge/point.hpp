@@ -9,16 +9,22 @@ namespace recoil::config {
 
 struct PointGauge {
   std::string body;
-  Vector at{};       // m
-  double every = 0;  // s; 0: every step
+  Vector at{};           // m
+  double every = 0;      // s; 0: every step
+  bool follows = false;  // the matter
 
   static constexpr const char* kind = "point";
   static constexpr const char* doc =
-      "The state of a body in the cell that holds a point; NaN where the body is not there.";
+      "The state of a body at a point, linear between the centres of its cells, one-sided at a surface; NaN "
+      "where the body is not.";
   static constexpr bool on_surface = false;  // `at` must lie inside
   static Entries<PointGauge> keys() {
     return {body_key("body", &PointGauge::body, watched_body),
-            place_key("at", &PointGauge::at, "where it is; it does not move"),
+            place_key("at", &PointGauge::at, "where it is, or at the start was"),
+            {.name = "follows",
+             .member = &PointGauge::follows,
+             .doc = "the point moves with the matter; else it stays",
+             .example = "true"},
             every_key(&PointGauge::every, every_record)};
   }
   static std::vector<Column> columns() {
@@ -29,7 +35,8 @@ struct PointGauge {
             {"density", "kg/m3", "of the matter"},
             {"von-mises", "GPa", "equivalent stress"},
             {"plastic-strain", "1", "equivalent"},
-            {"temperature", "K", "of the matter"}};
+            {"temperature", "K", "of the matter"},
+            {"position", "mm", "of a point that follows the matter", axis}};
   }
 };
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "gauge/gauge_watch.hpp"
-#include "gauge/probes.hpp"
+#include "gauge/point_probe.hpp"
 
 namespace recoil {
 
@@ -12,29 +12,41 @@ template <int Dim>
 class PointWatch : public GaugeWatch<Dim> {
  public:
   PointWatch(const config::PointGauge& from, const WatchSetup<Dim>& setup)
-      : body_(body_number(setup.state, from.body)),
-        at_(first_components<Dim>(from.at)),
+      : point_{.body = body_number(setup.state, from.body),
+               .follows = from.follows,
+               .at = first_components<Dim>(from.at),
+               .velocity = {}},
         item_(setup.sums.item(point_sums<Dim>)) {}
 
+  bool follows_every_step() const override { return point_.follows; }
+  void choose_columns(std::vector<SeriesColumn>& columns) const override {
+    if (!point_.follows) columns.resize(columns.size() - Dim);
+  }
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool /*at_rest*/,
                OrderedSums& sums) override {
-    probe_point(state, body_, at_, item_, sums);
+    probe_point(state, point_, item_, sums);
+  }
+  void follow(const OrderedSums& sums, double dt) override {
+    follow_point(point_, point_.time + dt, sums.any(item_), sums.total(item_));
   }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
     const auto found = reading.sums.total(item_);
     const bool there = reading.sums.any(item_);
     // Sums keep the density first; in the file the pressure comes first.
     const auto at = [&](std::size_t k) { row.push_back(there ? found[k] : nothing); };
+    constexpr std::size_t von_mises = point_sums<Dim> - 3 - Dim;
     at(1 + Dim);
     for (std::size_t d = 0; d < Dim; ++d) at(1 + d);
-    for (std::size_t k = 0; k < PointState<Dim>::stresses; ++k) at(2 + Dim + k);
+    for (std::size_t k = 2 + Dim; k < von_mises; ++k) at(k);
     at(0);
-    for (std::size_t k = point_sums<Dim> - 3; k < point_sums<Dim>; ++k) at(k);
+    for (std::size_t k = von_mises; k < von_mises + 3; ++k) at(k);
+    if (point_.follows) append(row, point_.at);
   }
+  void pack(parallel::Bytes& bytes) const override { parallel::pack(bytes, point_); }
+  void unpack(parallel::Unpacker& bytes) override { point_ = bytes.read<BodyPoint<Dim>>(); }
 
  private:
-  int body_;
-  Vec<Dim> at_;  // m
+  BodyPoint<Dim> point_;
   int item_;
 };
 

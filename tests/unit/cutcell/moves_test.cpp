@@ -17,6 +17,7 @@ struct Moves : testing::Test {
   Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
   const Contents<dim> one = per_volume<dim>(samples::copper(), some_primitives<dim>(samples::copper()));
   Counters counters;
+  Account<dim> edges;
 
   double whole() const { return grid.dx_power(dim); }
   State<dim> ball_of(double scatter) const {
@@ -157,10 +158,30 @@ TYPED_TEST(Moves, WhatLiesOutsideGoesInwards) {
   auto state = this->slab(7.4);
   const auto outside = TestFixture::cell(8, 9), inwards = TestFixture::cell(7, 9);
   this->put(state, outside, 0.05 * this->whole(), this->one);
-  this->run(state, [&](int s, Scratch& scratch) { empty_outside(state, state.bodies[0], s, scratch); });
+  this->run(state,
+            [&](int s, Scratch& scratch) { empty_outside(state, state.bodies[0], s, this->edges, scratch); });
   EXPECT_EQ(this->volume(state, outside), 0);
   EXPECT_NEAR(this->volume(state, inwards) / this->whole(), 0.45, 1e-12);
+  EXPECT_EQ(this->edges.mass, 0);
   this->expect_uniform(state);
+}
+
+TYPED_TEST(Moves, TheRestOfABodyBeyondAnOpenEdgeIsBookedAsOutflow) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  auto state = this->slab(-0.3);
+  const auto last = TestFixture::cell(0, 9);
+  const double volume = 0.05 * this->whole();
+  this->put(state, last, volume, this->one);
+  update_all(state, 0, [&](int s, Scratch& scratch) {
+    empty_outside(state, state.bodies[0], s, this->edges, scratch);
+  });
+  EXPECT_EQ(this->volume(state, last), 0);
+  for (const double left : totals(state, 0)) EXPECT_EQ(left, 0);
+  EXPECT_DOUBLE_EQ(this->edges.mass, volume * this->one[C::rho]);
+  EXPECT_DOUBLE_EQ(this->edges.energy, volume * this->one[C::energy]);
+  for (int d = 0; d < dim; ++d)
+    EXPECT_DOUBLE_EQ(this->edges.momentum[d], volume * this->one[C::u + static_cast<std::size_t>(d)]);
 }
 
 TYPED_TEST(Moves, FullCellsPassOnTheirExcess) {
@@ -274,7 +295,7 @@ TYPED_TEST(Moves, NothingMovesInASettledBody) {
   std::vector<double> before = totals(state, 0);
   update_all(state, 0, [&](int s, Scratch& scratch) {
     auto& body = state.bodies[0];
-    empty_outside(state, body, s, scratch);
+    empty_outside(state, body, s, this->edges, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
     fill_inside(state, body, s, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
@@ -290,7 +311,7 @@ TYPED_TEST(Moves, BlocksWithoutReachAreLeftAlone) {
   this->run(state, [&](int s, Scratch& scratch) {
     auto& body = state.bodies[0];
     body.at(s).reach = {};
-    empty_outside(state, body, s, scratch);
+    empty_outside(state, body, s, this->edges, scratch);
     fill_inside(state, body, s, scratch);
     bound_volumes(state, body, s, this->counters, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());

@@ -97,20 +97,5 @@ TEST(Probes, WallsThreeCellsAwayCountWhereNoneIsNearer) {
   EXPECT_FALSE(reading([&](int item, OrderedSums& sums) { probe_surface(state, lost, item, sums); }).found);
 }
 
-TEST(Probes, PointsReadTheCellThatHoldsThem) {
-  const State<2> state = state_of<2>(case_from(slab));
-  OrderedSums sums;
-  const int inside = sums.item(point_sums<2>), outside = sums.item(point_sums<2>);
-  probe_point(state, 0, {{0.1e-3, -0.4e-3}}, inside, sums);
-  probe_point(state, 0, {{0.1e-3, 1.4e-3}}, outside, sums);
-  sums.reduce(parallel::World{});
-  ASSERT_TRUE(sums.any(inside));
-  EXPECT_FALSE(sums.any(outside));
-  const auto t = sums.total(inside);
-  EXPECT_NEAR(t[0], 1000, 1e-9);
-  EXPECT_NEAR(t[2], 30, 1e-9);
-  EXPECT_NEAR(t[point_sums<2> - 1], 298, 1e-9);
-}
-
 }  // namespace
 }  // namespace recoil

@@ -46,10 +46,77 @@ TEST(Totals, OfACylinderWithAxis) {
   EXPECT_NEAR(b.place[1] / b.mass, 6e-3, 1e-12);
   EXPECT_NEAR(b.place[0] / b.mass, 2.0 / 3 * 5e-3, 1e-5) << "mean radius of a disc";
   EXPECT_NEAR(b.highest[0], 5e-3, 1e-12);
+  EXPECT_EQ(b.lowest[0], 0) << "it goes through the axis";
   EXPECT_NEAR(b.lowest[1], 0, 1e-12);
   EXPECT_NEAR(b.highest[1], 12e-3, 1e-12);
   EXPECT_EQ(b.cells, 20 * 48);
   EXPECT_EQ(b.plastic_strain, 0);
+}
+
+const char* quarter = R"(
+format = 1
+[domain]
+geometry = "planar"
+x = ["-3 mm", "1 mm"]
+y = ["0 mm", "4 mm"]
+boundary = { x = ["outflow", "symmetry"], y = ["symmetry", "outflow"] }
+[mesh]
+finest = "0.25 mm"
+[time]
+end = "1 us"
+[body.disc]
+material = "none"
+shape = { kind = "disc", radius = "2.1 mm", centre = { x = "1 mm", y = "0 mm" } }
+)";
+
+TEST(Totals, ABodyReachesToThePlanesOfSymmetry) {
+  const auto b = find_totals(state_of<2>(case_from(quarter)), parallel::World{}).bodies[0];
+  EXPECT_EQ(b.highest[0], 1e-3);
+  EXPECT_EQ(b.lowest[1], 0);
+  EXPECT_NEAR(b.lowest[0], -1.1e-3, 1e-5);
+  EXPECT_NEAR(b.highest[1], 2.1e-3, 1e-5);
+}
+
+const char* block = R"(
+format = 1
+[domain]
+geometry = "3d"
+x = ["0 mm", "8 mm"]
+y = ["0 mm", "8 mm"]
+z = ["0 mm", "8 mm"]
+[mesh]
+finest = "0.5 mm"
+[time]
+end = "1 us"
+[body.block]
+material = "none"
+shape = { kind = "box", x = ["2 mm", "6 mm"], y = ["3 mm", "6 mm"], z = ["1 mm", "7 mm"] }
+)";
+
+TEST(Totals, AngularMomentumOfABlockThatFliesAndTurns) {
+  State<3> state = state_of<3>(case_from(block));
+  const Vec<3> centre{{4e-3, 4.5e-3, 4e-3}}, flight{{10, -20, 30}}, spin{{300, -200, 100}},
+      edge{{4e-3, 3e-3, 6e-3}};
+  using C = Components<3>;
+  for (int slot = 0; slot < state.mesh.local(); ++slot) {
+    auto& b = state.bodies[0].at(slot);
+    const std::size_t n = b.volume.size();
+    const Box<3> cells = state.mesh.block(slot).cells;
+    for (std::size_t k = 0; b.present && k < n; ++k) {
+      const Vec<3> x = state.grid().centre(cells.lo + state.grid().layout().index(static_cast<int>(k)));
+      const Vec<3> u = flight + cross(spin, x - centre);
+      for (std::size_t d = 0; d < 3; ++d)
+        b.contents[(C::u + d) * n + k] = b.contents[k] * u[static_cast<int>(d)];
+    }
+  }
+  const auto b = find_totals(state, parallel::World{}).bodies[0];
+  const double dx2 = 0.25e-6;
+  Vec<3> exact = b.mass * cross(centre, flight);
+  for (int d = 0; d < 3; ++d) {
+    const double p = edge[(d + 1) % 3], q = edge[(d + 2) % 3];
+    exact[d] += b.mass * (p * p + q * q - 2 * dx2) / 12 * spin[d];  // each cell's matter in its middle
+  }
+  EXPECT_NEAR(norm(b.angular_momentum - exact) / norm(exact), 0, 1e-12);
 }
 
 TEST(Totals, DoNotDependOnThreads) {
@@ -75,6 +142,7 @@ TEST(Totals, LedgersOfAllBlocksCount) {
     ledger.pairs.resize(1);
     ledger.edges.resize(2);
     ledger.pairs[0].exchanged = {0, 2, {{1, -3}}};
+    ledger.pairs[0].moment = {{0, 0, 7}};
     ledger.edges[1].mass = 5;
   }
   const double blocks = static_cast<double>(state.ledger.size());
@@ -84,6 +152,8 @@ TEST(Totals, LedgersOfAllBlocksCount) {
   EXPECT_EQ(t.edges[0].mass, 0);
   EXPECT_EQ(received(t, 0).energy, 2 * blocks);
   EXPECT_EQ(received(t, 1).momentum, (Vec<2>{{-blocks, 3 * blocks}}));
+  EXPECT_EQ(received_moment(t, 0), (Vec<3>{{0, 0, 7 * blocks}}));
+  EXPECT_EQ(received_moment(t, 1), (Vec<3>{{0, 0, -7 * blocks}}));
   EXPECT_TRUE(std::isnan(t.bodies[1].highest[0])) << "a body that is nowhere has no extent";
 }
 

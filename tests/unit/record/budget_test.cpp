@@ -20,6 +20,7 @@ Totals<2> start() {
                  .energy = 100,
                  .speed = 20,
                  .place = {},
+                 .angular_momentum = {},
                  .lowest = {},
                  .highest = {}};
   t.bodies[1] = {.mass = 4,
@@ -28,6 +29,7 @@ Totals<2> start() {
                  .energy = 10,
                  .speed = 0,
                  .place = {},
+                 .angular_momentum = {},
                  .lowest = {},
                  .highest = {}};
   return t;

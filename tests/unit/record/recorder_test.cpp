@@ -125,6 +125,47 @@ TEST(Recorder, LeavesEverythingAndChecksIt) {
   EXPECT_EQ(nlohmann::json::parse(status)["state"], "finished");
 }
 
+TEST(Recorder, TheFirstTouchIsTimedWithinItsStep) {
+  const ScratchFolder folder;
+  std::string text = plates;
+  text.replace(text.find("-2 mm"), 5, "-2.0033 mm");
+  text.replace(text.find("\"0 mm\"]"), 7, "\"-0.0033 mm\"]");
+  text.resize(text.find("[expect]"));
+  const Summary s = run(text, folder.path());
+  ASSERT_FALSE(s.events.empty());
+  EXPECT_EQ(s.events[0].kind, "contact");
+  EXPECT_NEAR(s.events[0].time, 3.3e-6 / 20, 1e-13) << "gap over speed; a step is 9 ns";
+  EXPECT_EQ(s.events[0].detail, "flyer 20 m/s, target 0 m/s");
+}
+
+const char* leaving = R"(
+format = 1
+title = "leaves through an open edge"
+[domain]
+geometry = "1d"
+x = ["0 mm", "4 mm"]
+[mesh]
+finest = "0.1 mm"
+[time]
+end = "1.5 us"
+[body.block]
+material = "none"
+shape = { kind = "box", x = ["0.93 mm", "3.02 mm"] }
+velocity = { x = "3 km/s" }
+)";
+
+TEST(Recorder, ABodyThatLeavesTheDomainLeavesNothingBehind) {
+  const ScratchFolder folder;
+  run(leaving, folder.path());
+  const CsvTable history = read_csv(folder / "history.csv");
+  EXPECT_EQ(history.numbers("block.mass").back(), 0);
+  EXPECT_EQ(history.numbers("block.volume").back(), 0);
+  EXPECT_NEAR(history.numbers("block.edges.mass").back(), 2.09, 1e-12);
+  EXPECT_NEAR(history.numbers("block.edges.momentum.x").back(), 6270, 1e-9);
+  for (const char* what : {"block.drift.mass", "block.drift.momentum", "block.drift.energy"})
+    for (const double drift : history.numbers(what)) EXPECT_LT(drift, 1e-12) << what;
+}
+
 std::string contents(const std::filesystem::path& path) {
   std::stringstream text;
   text << std::ifstream(path).rdbuf();
