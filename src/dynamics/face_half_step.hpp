@@ -11,6 +11,13 @@
 /// The values of cells at their faces in the middle of a step of one stage (theory: one stage a step).
 namespace recoil::detail {
 
+/// In 1-D cells that yield stay with their waves, at the speed of the plastic tangent: with the whole step along
+/// the one axis that keeps the front of a plastic shock steep and quiet behind. In more dimensions, where a
+/// step is shared between the axes, elastic impedances with plastic speeds would stiffen a bar; there such
+/// cells move by their own differences.
+template <int Dim>
+inline constexpr bool yields_by_waves = Dim == 1;
+
 /// Mean over a step of what crosses a face out of a cell: a parabola with the values `near` the face and
 /// `far` from it and the mean `mean`, moved towards the face by the part `passed` of the cell (Colella &
 /// Woodward 1984).
@@ -70,28 +77,30 @@ template <class Impedance>
 }
 
 /// Density and deviator at one end follow the stress `to` from what has ridden there, `stress`, along the
-/// elastic isentrope: d rho = -d sigma/c_L^2, dS_nn = (4/3 G/(rho c_L^2)) d sigma; p follows from the two.
-template <int Dim, int Axis>
-[[gnu::always_inline]] inline void follow_stress(int count, double g, const double* rho_mean, const double* z,
+/// isentrope: d rho = -d sigma/c^2, dS_nn = (4/3 G/(rho c_L^2)) d sigma, 0 where the cell yields; p follows
+/// from the two. `speed` c(i) [m/s] of the waves.
+template <int Dim, int Axis, class Speed>
+[[gnu::always_inline]] inline void follow_stress(int count, double g, const double* rho_mean,
+                                                 const double* loading, const Speed& speed,
                                                  const double* ridden, FaceValues<Dim>& w, int to) {
   using C = Components<Dim>;
   double* rho = w.value[C::rho] + to;
   const double* stress = w.stress + to;
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
-    const double per_stiffness = rho_mean[i] / (z[i] * z[i]);  // 1/(rho c_L^2)
-    const double strain = (stress[i] - ridden[i]) * per_stiffness;
+    const double c = speed(i), strain = (stress[i] - ridden[i]) / (rho_mean[i] * c * c);
+    const double stiffness = loading[i] > 0 ? 0.0 : g;
     rho[i] -= rho_mean[i] * strain;
     for (int d = 0; d < Dim; ++d) {
       const int c = C::stress(d, d);
-      if (c >= 0) w.value[C::s + c][i + to] += (d == Axis ? 4.0 / 3 : -2.0 / 3) * g * strain;
+      if (c >= 0) w.value[C::s + c][i + to] += (d == Axis ? 4.0 / 3 : -2.0 / 3) * stiffness * strain;
     }
   }
 }
 
-/// The values of one row of cells at both faces, elastic: waves averaged over the step.
+/// The values of one row of cells at both faces: waves averaged over the step.
 template <int Dim, int Axis, bool Shear, class EosModel>
-void move_elastic(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
+void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
   using C = Components<Dim>;
   const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
   const double *rho = of(C::rho), *u = of(C::u + Axis), *z = in.impedance + in.first,
@@ -122,12 +131,18 @@ void move_elastic(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, Fa
     ridden_high[i] = mean_leaving(h, l, stress[i], passed.high[i]);
     ridden_low[i] = mean_leaving(l, h, stress[i], passed.low[i]);
   }
-  find_passed(in.count, [=](int i) { return per_dx * z[i] / rho[i]; }, ride, passed);
+  const double* loading = in.ahead->loading + in.first;
+  const auto speed = [=](int i) {
+    const double c = z[i] / rho[i];
+    if constexpr (!yields_by_waves<Dim>) return c;
+    return loading[i] > 0 ? std::sqrt(c * c - 4.0 / 3 * g / rho[i]) : c;
+  };
+  find_passed(in.count, [=](int i) { return per_dx * speed(i); }, ride, passed);
   move_waves(
       in.count, passed, [z](int i) { return z[i]; }, stress, u, low.stress + to, high.stress + to,
       low.value[C::u + Axis] + to, high.value[C::u + Axis] + to);
-  follow_stress<Dim, Axis>(in.count, g, rho, z, ridden_low, low, to);
-  follow_stress<Dim, Axis>(in.count, g, rho, z, ridden_high, high, to);
+  follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_low, low, to);
+  follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_high, high, to);
 
   if constexpr (Shear) {
     find_passed(in.count, [=](int i) { return per_dx * std::sqrt(g / rho[i]); }, ride, passed);
@@ -231,11 +246,11 @@ void move_half_step(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, 
   };
   std::array<Ends, row_room> yielding;
   int n = 0;
-  if constexpr (Shear)
+  if constexpr (Shear && !yields_by_waves<Dim>)
     for (int i = 0; i < in.count; ++i)
       if (loading[i] > 0) yielding[n++] = {end_of<Dim, Axis>(low, i + to), end_of<Dim, Axis>(high, i + to), i};
   if (n < in.count) {
-    move_elastic<Dim, Axis, Shear, EosModel>(g, in, to, low, high);
+    move_by_waves<Dim, Axis, Shear, EosModel>(g, in, to, low, high);
     add_transverse<Dim, Axis>(in, to, low);
     add_transverse<Dim, Axis>(in, to, high);
   }
