@@ -69,8 +69,8 @@ void find_loading(const StrengthModel& strength, const EosModel& eos, const Temp
     for (int i = 0; i < width; ++i) {
       const auto v = read.at(first + i);
       double working = 0;
-      for (int d = 0; d < Dim; ++d)
-        working += working_along<Dim>(d, v, read.slope(first + i, w.window.stride(d)));
+      for_each_axis<Dim>(
+          [&](auto d) { working += working_along<Dim, d>(v, read.slope(first + i, w.window.stride(d))); });
       loading[i] = working;
     }
     for (int i = 0; i < width; ++i) {
@@ -81,8 +81,8 @@ void find_loading(const StrengthModel& strength, const EosModel& eos, const Temp
       const double square = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
       double e = eos.energy(v[C::rho], v[C::p]);
       if constexpr (EosModel::barotropic) e += v[C::extra];
-      const double yield = strength.yield(std::max(v[C::ep], 0.0), 0,
-                                          law(v[C::rho], e, v[C::temperature_rise]));
+      const double yield =
+          strength.yield(std::max(v[C::ep], 0.0), 0, law(v[C::rho], e, v[C::temperature_rise]));
       if (square > 0 && square >= at_yield * yield * yield) loading[i] = std::sqrt(1.5 / square);
     }
   });
@@ -102,36 +102,33 @@ void find_loading(const StrengthModel& strength, const EosModel& eos, const Temp
   add_widening(v, sign * widening, on_axis ? 0.0 : sign / radius, read.response(k, w.ahead.loading), rate);
 }
 
-/// The changes of half a step by all axes.
-template <int Dim>
+/// The changes of half a step by one axis.
+template <int Dim, int Axis>
 void find_change(double g, double half, Work<Dim>& w) {
   const Reader<Dim> read = reader(w, g);
+  const std::ptrdiff_t step = w.window.stride(Axis);
+  double* change = w.ahead.change[Axis];
   for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
 #pragma omp simd
     for (int i = 0; i < width; ++i) {
       const std::ptrdiff_t k = first + i;
       const auto v = read.at(k);
-      const Response m = read.response(k, w.ahead.loading);
-      Primitives<Dim> sum{};
-      for (int d = 0; d < Dim; ++d) {
-        const auto rate = rate_along<Dim>(d, v, read.slope(k, w.window.stride(d)),
-                                          v[Components<Dim>::u + d], m);
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += rate[c];
-      }
-      for (std::size_t c = 0; c < sum.size(); ++c) w.change[c * w.wide + k] = half * sum[c];
+      const auto rate = rate_along<Dim, Axis>(v, read.slope(k, step), v[Components<Dim>::u + Axis],
+                                              read.response(k, w.ahead.loading));
+      for (std::size_t c = 0; c < rate.size(); ++c) change[c * w.wide + k] = half * rate[c];
     }
   });
 }
 
-void add_rings(double g, double half, Work<2>& w) {
+/// The changes of half a step by the widening of rings.
+void find_ring_change(double g, double half, Work<2>& w) {
   const Reader<2> read = reader(w, g);
   for_each_row(w, [&](const Index<2>& r, std::ptrdiff_t first, int width) {
     for (int i = 0; i < width; ++i) {
       const std::ptrdiff_t k = first + i;
-      if (w.open && w.open[k] == 0) continue;
       Primitives<2> rate{};
-      widen(w, r, i, read, k, read.at(k), rate);
-      for (std::size_t c = 0; c < rate.size(); ++c) w.change[c * w.wide + k] += half * rate[c];
+      if (!w.open || w.open[k] != 0) widen(w, r, i, read, k, read.at(k), rate);
+      for (std::size_t c = 0; c < rate.size(); ++c) w.ahead.change[2][c * w.wide + k] = half * rate[c];
     }
   });
 }
@@ -149,50 +146,46 @@ void find_open(Work<Dim>& w, Scratch& scratch) {
 template <int Dim>
 void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& w, Scratch& scratch) {
   const double g = shear_modulus(body.material);
+  const std::size_t n = w.wide * Components<Dim>::primitives + vector_length;
   w.ahead.dt = dt;
   w.ahead.per_dx = dt / w.grid.dx;
   w.ahead.loading = scratch.take_filled<double>(w.wide + vector_length, 0);
-  w.change = scratch.take_filled<double>(w.wide * Components<Dim>::primitives + vector_length, 0);
-  if (Dim > 1) w.ahead.transverse = scratch.take<double>(w.wide * Components<Dim>::primitives + vector_length);
   find_open(w, scratch);
   if (has_strength(body.material.strength))
-    std::visit([&](const auto& strength,
-                   const auto& eos) { find_loading(strength, eos, body.temperature, w); },
-               body.material.strength, body.material.eos);
-  find_change(g, 0.5 * dt, w);
-  if constexpr (Dim == 2)
-    if (w.grid.axisymmetric) add_rings(g, 0.5 * dt, w);
-}
-
-template <int Dim>
-void find_transverse(double g, int axis, Work<Dim>& w) {
-  if (Dim == 1) return;
-  const Reader<Dim> read = reader(w, g);
-  const double half = 0.5 * w.ahead.dt;
-  const std::ptrdiff_t step = w.window.stride(axis);
-  for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
-#pragma omp simd
-    for (int i = 0; i < width; ++i) {
-      const std::ptrdiff_t k = first + i;
-      const auto v = read.at(k);
-      const auto rate = rate_along<Dim>(axis, v, read.slope(k, step), v[Components<Dim>::u + axis],
-                                        read.response(k, w.ahead.loading));
-      for (std::size_t c = 0; c < rate.size(); ++c)
-        w.ahead.transverse[c * w.wide + k] = w.change[c * w.wide + k] - half * rate[c];
-    }
+    std::visit(
+        [&](const auto& strength, const auto& eos) { find_loading(strength, eos, body.temperature, w); },
+        body.material.strength, body.material.eos);
+  for_each_axis<Dim>([&](auto axis) {
+    w.ahead.change[axis] = scratch.take<double>(n);
+    find_change<Dim, axis>(g, 0.5 * dt, w);
   });
+  if constexpr (Dim == 2)
+    if (w.grid.axisymmetric) {
+      w.ahead.change[2] = scratch.take<double>(n);
+      find_ring_change(g, 0.5 * dt, w);
+    }
 }
 
 template <int Dim>
 void move_to_midstep(Work<Dim>& w) {
-  const std::size_t n = w.wide * Components<Dim>::primitives;
+  using C = Components<Dim>;
+  Box<Dim> rows = w.cells;
+  const int width = rows.extent(0);
+  rows.hi[0] = rows.lo[0] + 1;
+  for (const double* change : w.ahead.change) {
+    if (!change) continue;
+    for_each(rows, [&](const Index<Dim>& r) {
+      for (std::size_t c = 0; c < C::primitives; ++c) {
+        const std::size_t first = c * w.wide + static_cast<std::size_t>(w.window.at(r));
 #pragma omp simd
-  for (std::size_t k = 0; k < n; ++k) w.primitive[k] += w.change[k];
+        for (int i = 0; i < width; ++i) w.primitive[first + i] += change[first + i];
+      }
+    });
+  }
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                           \
-  template void find_half_step<Dim>(const Body<Dim>&, double, Work<Dim>&, Scratch&);      \
-  template void find_transverse<Dim>(double, int, Work<Dim>&);                            \
+#define RECOIL_INSTANTIATE(Dim)                                                      \
+  template void find_half_step<Dim>(const Body<Dim>&, double, Work<Dim>&, Scratch&); \
   template void move_to_midstep<Dim>(Work<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

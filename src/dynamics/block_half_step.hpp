@@ -7,15 +7,10 @@
 namespace recoil::detail {
 
 /// Readies a block for a step of one stage: which cells yield and go on loading, and what half a step by
-/// unlimited central differences along all axes changes. Into Work::ahead and Work::change.
+/// unlimited central differences along each axis changes. Into Work::ahead.
 /// @param dt of the whole step [s].
 template <int Dim>
 void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& work, Scratch& scratch);
-
-/// What half a step changes by the axes other than this one: faces across it get that on top of what they
-/// find along it. Into Work::ahead.
-template <int Dim>
-void find_transverse(double g, int axis, Work<Dim>& work);
 
 /// Moves the averages themselves to the middle of the step; the fluxes no longer need them.
 template <int Dim>

@@ -87,8 +87,9 @@ void drop_outside(Work<Dim>& w) {
 }
 
 template <int Dim, bool Shear, class Scheme, class EosModel>
-void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, Cells cells, FaceTime faces,
-            double dt, double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, Cells cells,
+            FaceTime faces, double dt, double weight, Account<Dim>& edges, Counters& counters,
+            Scratch& scratch) {
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
   const double g = shear_modulus(body.material);
@@ -121,9 +122,11 @@ void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells
   std::visit(
       [&](const auto& eos) {
         if (has_strength(body.material.strength))
-          update<Dim, true, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters, scratch);
+          update<Dim, true, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters,
+                                    scratch);
         else
-          update<Dim, false, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters, scratch);
+          update<Dim, false, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters,
+                                     scratch);
       },
       body.material.eos);
 }
@@ -131,8 +134,8 @@ void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells
 }  // namespace
 
 template <int Dim>
-void update_block(const State<Dim>& state, Body<Dim>& body, int slot, FaceTime faces, double dt, double weight,
-                  Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+void update_block(const State<Dim>& state, Body<Dim>& body, int slot, FaceTime faces, double dt,
+                  double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   update_with<WenoHllc>(state, body, slot, Cells::cut, faces, dt, weight, edges, counters, scratch);
 }
 
@@ -142,12 +145,13 @@ void update_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, Face
   if (scheme == FaceScheme::eno_llf)
     update_with<EnoLlf>(state, body, slot, Cells::whole, FaceTime::now, dt, weight, edges, counters, scratch);
   else
-    update_with<WenoHllc>(state, body, slot, Cells::whole, FaceTime::now, dt, weight, edges, counters, scratch);
+    update_with<WenoHllc>(state, body, slot, Cells::whole, FaceTime::now, dt, weight, edges, counters,
+                          scratch);
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                         \
-  template void update_block<Dim>(const State<Dim>&, Body<Dim>&, int, FaceTime, double, double, Account<Dim>&,    \
-                                  Counters&, Scratch&);                                                 \
+  template void update_block<Dim>(const State<Dim>&, Body<Dim>&, int, FaceTime, double, double,         \
+                                  Account<Dim>&, Counters&, Scratch&);                                  \
   template void update_whole_cells<Dim>(const State<Dim>&, Body<Dim>&, int, FaceScheme, double, double, \
                                         Account<Dim>&, Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)

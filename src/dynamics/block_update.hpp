@@ -5,8 +5,8 @@
 
 namespace recoil {
 
-/// Of what time the values at faces are: of the start of the stage, or of its middle. With those of the middle
-/// one stage is a whole step of second order.
+/// Of what time the values at faces are: of the start of the stage, or of its middle. With those of the
+/// middle one stage is a whole step of second order.
 enum class FaceTime { now, midstep };
 
 /// One Euler substage of the matter of one body in one block: fluxes through open faces times their open
@@ -18,8 +18,8 @@ enum class FaceTime { now, midstep };
 /// domain
 ///   is booked with it.
 template <int Dim>
-void update_block(const State<Dim>& state, Body<Dim>& body, int slot, FaceTime faces, double dt, double weight,
-                  Account<Dim>& edges, Counters& counters, Scratch& scratch);
+void update_block(const State<Dim>& state, Body<Dim>& body, int slot, FaceTime faces, double dt,
+                  double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch);
 
 /// How fluxes through faces are found.
 enum class FaceScheme {

@@ -20,7 +20,6 @@ struct Work {
   std::uint8_t* role = nullptr;  // null where every cell has a value
   bool whole = false;            // cells are whole and real, or not there at all (ghost fluid)
   HalfStep ahead{};              // dt 0: three stages
-  double* change = nullptr;      // of half a step, [primitives][window]
   double* open = nullptr;        // 1 where a cell has a value for half a step, else 0; null: all have
   double* rate = nullptr;        // [contents]
   double* gradient = nullptr;    // [i * Dim + j]: integral of du_i/dx_j

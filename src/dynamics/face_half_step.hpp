@@ -11,10 +11,10 @@
 /// The values of cells at their faces in the middle of a step of one stage (theory: one stage a step).
 namespace recoil::detail {
 
-/// In 1-D cells that yield stay with their waves, at the speed of the plastic tangent: with the whole step along
-/// the one axis that keeps the front of a plastic shock steep and quiet behind. In more dimensions, where a
-/// step is shared between the axes, elastic impedances with plastic speeds would stiffen a bar; there such
-/// cells move by their own differences.
+/// In 1-D cells that yield stay with their waves, at the speed of the plastic tangent: with the whole step
+/// along the one axis that keeps the front of a plastic shock steep and quiet behind. In more dimensions,
+/// where a step is shared between the axes, elastic impedances with plastic speeds would stiffen a bar; there
+/// such cells move by their own differences.
 template <int Dim>
 inline constexpr bool yields_by_waves = Dim == 1;
 
@@ -108,7 +108,8 @@ void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, F
   const double per_dx = in.ahead->per_dx;
   Passed passed;
   const auto ride = [=](int i) { return per_dx * u[i]; };
-  find_passed(in.count, [](int) { return 0.0; }, ride, passed);
+  find_passed(
+      in.count, [](int) { return 0.0; }, ride, passed);
   const auto plain = [&](int c) {
     move_riding(in.count, passed, of(c), low.value[c] + to, high.value[c] + to);
   };
@@ -137,7 +138,8 @@ void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, F
     if constexpr (!yields_by_waves<Dim>) return c;
     return loading[i] > 0 ? std::sqrt(c * c - 4.0 / 3 * g / rho[i]) : c;
   };
-  find_passed(in.count, [=](int i) { return per_dx * speed(i); }, ride, passed);
+  find_passed(
+      in.count, [=](int i) { return per_dx * speed(i); }, ride, passed);
   move_waves(
       in.count, passed, [z](int i) { return z[i]; }, stress, u, low.stress + to, high.stress + to,
       low.value[C::u + Axis] + to, high.value[C::u + Axis] + to);
@@ -145,13 +147,14 @@ void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, F
   follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_high, high, to);
 
   if constexpr (Shear) {
-    find_passed(in.count, [=](int i) { return per_dx * std::sqrt(g / rho[i]); }, ride, passed);
+    find_passed(
+        in.count, [=](int i) { return per_dx * std::sqrt(g / rho[i]); }, ride, passed);
     for (int t = 0; t < Dim; ++t) {
       if (t == Axis) continue;
       const int v = C::u + t, tau = C::s + C::stress(Axis, t);
       move_waves(
-          in.count, passed, [=](int i) { return std::sqrt(rho[i] * g); }, of(tau), of(v),
-          low.value[tau] + to, high.value[tau] + to, low.value[v] + to, high.value[v] + to);
+          in.count, passed, [=](int i) { return std::sqrt(rho[i] * g); }, of(tau), of(v), low.value[tau] + to,
+          high.value[tau] + to, low.value[v] + to, high.value[v] + to);
     }
   }
 }
@@ -170,7 +173,7 @@ template <int Dim, int Axis>
   }
   const double z = in.impedance[k];
   const Response m{z * z / w[C::rho] - 4.0 / 3 * g, g, in.ahead->loading[k]};
-  const auto rate = rate_along<Dim>(Axis, w, slope, w[C::u + Axis], m);
+  const auto rate = rate_along<Dim, Axis>(w, slope, w[C::u + Axis], m);
   for (std::size_t c = 0; c < w.size(); ++c) {
     low[c] += dx_over * rate[c];
     high[c] += dx_over * rate[c];
@@ -187,6 +190,13 @@ template <int Dim, int Axis>
   return v;
 }
 
+/// f(change) for what half a step by each of the other axes changes, and by the widening of rings.
+template <int Axis, class F>
+[[gnu::always_inline]] inline void for_each_transverse(const HalfStep& ahead, F&& f) {
+  for (std::size_t d = 0; d < ahead.change.size(); ++d)
+    if (d != Axis && ahead.change[d]) f(ahead.change[d]);
+}
+
 /// Adds what the other axes change, and puts an end of one cell back into its row. The deviator of a cell
 /// that yields does not grow beyond that of its average.
 template <int Dim, int Axis>
@@ -194,8 +204,9 @@ template <int Dim, int Axis>
                                            FaceValues<Dim>& w, int at) {
   using C = Components<Dim>;
   const std::ptrdiff_t k = in.first + i;
-  if constexpr (Dim > 1)
-    for (std::size_t c = 0; c < v.size(); ++c) v[c] += in.ahead->transverse[c * in.cells + k];
+  for_each_transverse<Axis>(*in.ahead, [&](const double* change) {
+    for (std::size_t c = 0; c < v.size(); ++c) v[c] += change[c * in.cells + k];
+  });
   if (yields) {
     const double own = equivalent_stress_squared<Dim>(in.primitive + C::s * in.cells + k, in.cells),
                  end = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
@@ -212,8 +223,8 @@ template <int Dim, int Axis>
 template <int Dim, int Axis>
 void add_transverse(const Row<Dim>& in, int to, FaceValues<Dim>& w) {
   using C = Components<Dim>;
-  if constexpr (Dim > 1) {
-    const auto of = [&](std::size_t c) { return in.ahead->transverse + c * in.cells + in.first; };
+  for_each_transverse<Axis>(*in.ahead, [&](const double* change) {
+    const auto of = [&](std::size_t c) { return change + c * in.cells + in.first; };
     for (std::size_t c = 0; c < C::primitives; ++c) {
       if (c == C::p) continue;
       const double* t = of(c);
@@ -232,7 +243,7 @@ void add_transverse(const Row<Dim>& in, int to, FaceValues<Dim>& w) {
 #pragma omp simd
       for (int i = 0; i < in.count; ++i) stress[i] += s[i] - p[i];
     }
-  }
+  });
 }
 
 /// Moves the values of a row of cells at their low and high faces, written from place `to` on, from the
@@ -248,7 +259,8 @@ void move_half_step(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, 
   int n = 0;
   if constexpr (Shear && !yields_by_waves<Dim>)
     for (int i = 0; i < in.count; ++i)
-      if (loading[i] > 0) yielding[n++] = {end_of<Dim, Axis>(low, i + to), end_of<Dim, Axis>(high, i + to), i};
+      if (loading[i] > 0)
+        yielding[n++] = {end_of<Dim, Axis>(low, i + to), end_of<Dim, Axis>(high, i + to), i};
   if (n < in.count) {
     move_by_waves<Dim, Axis, Shear, EosModel>(g, in, to, low, high);
     add_transverse<Dim, Axis>(in, to, low);

@@ -84,12 +84,12 @@ void solve_across_rows(const EosModel& eos, double g, const Work<Dim>& w, const 
             layer + 1 < layers ? open_span(out.area + at_face + (layer + 1) * next, count) : Span{};
         const Span all = both(open, ahead);
         if (!all.empty())
-          reconstruct<Dim, Axis, Shear>(
-              eos, g, w.row(first + all.lo, step, whole_vectors(all.hi - all.lo)), all.lo, low, *high);
+          reconstruct<Dim, Axis, Shear>(eos, g, w.row(first + all.lo, step, whole_vectors(all.hi - all.lo)),
+                                        all.lo, low, *high);
         if (!open.empty())
           counters.first_order_faces += solve_faces<Dim, Axis, Shear>(
-              eos, g, w.row(first + open.lo, step, open.hi - open.lo),
-              *behind, open.lo, low, open.lo, out.flux_at(at_face + layer * next + open.lo));
+              eos, g, w.row(first + open.lo, step, open.hi - open.lo), *behind, open.lo, low, open.lo,
+              out.flux_at(at_face + layer * next + open.lo));
         std::swap(high, behind);
         open = ahead;
       }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "field/components.hpp"
@@ -16,9 +17,10 @@ inline constexpr int row_room = longest_row + 8;
 
 /// What a step of one stage knows of its middle; arrays over the cells of a window.
 struct HalfStep {
-  double dt = 0, per_dx = 0;     // s of the whole step, and over dx
-  double* loading = nullptr;     // 1/|S| where a cell yields and goes on loading, else 0
-  double* transverse = nullptr;  // [Components::primitives]: change of half a step by the other axes; not in 1-D
+  double dt = 0, per_dx = 0;  // s of the whole step, and over dx
+  double* loading = nullptr;  // 1/|S| where a cell yields and goes on loading, else 0
+  // [Components::primitives]: changes of half a step by each axis, then by the widening of rings; null: none
+  std::array<double*, 4> change{};
 };
 
 /// Where a row of cells, or of faces, reads. Arrays hold every component of every cell of a window. Cell i of

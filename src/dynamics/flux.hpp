@@ -65,8 +65,8 @@ template <int Dim, int Axis, class Values>
 }  // namespace detail
 
 /// Values of a row of cells at their low and high faces across `Axis`: WENO5-Z of the characteristic-like
-/// sigma +- Z u and tau +- Z_s v and of the remaining primitives, written from place `to` on, moved to the middle of the step where it has one stage
-/// (Row::ahead). p is left to solve_faces().
+/// sigma +- Z u and tau +- Z_s v and of the remaining primitives, written from place `to` on, moved to the
+/// middle of the step where it has one stage (Row::ahead). p is left to solve_faces().
 /// @param Shear false for fluids: no shear waves at all.
 template <int Dim, int Axis, bool Shear, class EosModel>
 void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, int to, FaceValues<Dim>& low,

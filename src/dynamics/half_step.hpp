@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "core/vec.hpp"
 #include "field/components.hpp"
@@ -32,8 +33,8 @@ template <int Dim, class Values>
 ///   S_t = 2 G dev D + W S - S W, less 2 G n (n:D) with n = S/|S| where the state yields.
 /// Growth of plastic strain and temperature is left to the return to yield.
 /// @param slope d/dx_a of all primitives. @param ride u_a - speed [m/s].
-template <int Dim>
-[[gnu::always_inline]] inline Primitives<Dim> rate_along(int a, const Primitives<Dim>& w,
+template <int Dim, int a>
+[[gnu::always_inline]] inline Primitives<Dim> rate_along(const Primitives<Dim>& w,
                                                          const Primitives<Dim>& slope, double ride,
                                                          const Response& m) {
   using C = Components<Dim>;
@@ -82,12 +83,19 @@ template <int Dim>
 }
 
 /// S:D of a state by the derivatives along one axis.
-template <int Dim>
-[[gnu::always_inline]] inline double working_along(int a, const Primitives<Dim>& w,
-                                                   const Primitives<Dim>& slope) {
+template <int Dim, int Axis>
+[[gnu::always_inline]] inline double working_along(const Primitives<Dim>& w, const Primitives<Dim>& slope) {
   double sum = 0;
-  for (int i = 0; i < Dim; ++i) sum += deviator<Dim>(w, i, a) * slope[Components<Dim>::u + i];
+  for (int i = 0; i < Dim; ++i) sum += deviator<Dim>(w, i, Axis) * slope[Components<Dim>::u + i];
   return sum;
+}
+
+/// f(constant) for every axis, its number as a compile-time constant.
+template <int Dim, class F>
+[[gnu::always_inline]] constexpr void for_each_axis(F&& f) {
+  f(std::integral_constant<int, 0>{});
+  if constexpr (Dim > 1) f(std::integral_constant<int, 1>{});
+  if constexpr (Dim > 2) f(std::integral_constant<int, 2>{});
 }
 
 }  // namespace recoil

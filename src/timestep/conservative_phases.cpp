@@ -54,7 +54,8 @@ void update_matter(StepRun<Dim>& step, double dt, const Stage& stage) {
       if (body.rigid || !body.present(slot)) continue;
       const Scratch::Frame frame(scratch);
       auto& ledger = state.ledger[slot];
-      update_block(state, body, slot, stage.faces, dt, stage.weight, ledger.edges[m], ledger.counters, scratch);
+      update_block(state, body, slot, stage.faces, dt, stage.weight, ledger.edges[m], ledger.counters,
+                   scratch);
     }
   });
 }
@@ -121,15 +122,15 @@ void bound_volumes(StepRun<Dim>& step) {
   apply_updates(step, StepPhase::moves);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                    \
+#define RECOIL_INSTANTIATE(Dim)                                          \
   template void find_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
   template void move_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
   template void update_matter<Dim>(StepRun<Dim>&, double, const Stage&); \
-  template void redistribute_small_fragments<Dim>(StepRun<Dim>&);  \
-  template void cut_out_rigid_bodies<Dim>(StepRun<Dim>&);          \
-  template void exchange_along_surfaces<Dim>(StepRun<Dim>&);       \
-  template void follow_volumes<Dim>(StepRun<Dim>&);                \
-  template void empty_and_fill<Dim>(StepRun<Dim>&);                \
+  template void redistribute_small_fragments<Dim>(StepRun<Dim>&);        \
+  template void cut_out_rigid_bodies<Dim>(StepRun<Dim>&);                \
+  template void exchange_along_surfaces<Dim>(StepRun<Dim>&);             \
+  template void follow_volumes<Dim>(StepRun<Dim>&);                      \
+  template void empty_and_fill<Dim>(StepRun<Dim>&);                      \
   template void bound_volumes<Dim>(StepRun<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
