@@ -6,6 +6,12 @@
 
 namespace recoil {
 
+namespace {
+
+constexpr double least_part = 1e-4;  // of what all bodies hold: a body with less is measured with so much
+
+}  // namespace
+
 template <int Dim>
 BudgetWatch<Dim>::BudgetWatch(std::vector<std::string> names, std::vector<bool> rigid,
                               std::vector<bool> balanced)
@@ -55,9 +61,8 @@ template <int Dim>
 void BudgetWatch<Dim>::judge(std::size_t l, const Sums& s) {
   Line& line = lines_[l];
   line.most_speed = std::max(line.most_speed, s.speed);
-  // A body that never moves is measured with what moves around it.
-  const double speed = line.most_speed > 0 ? line.most_speed : lines_[0].most_speed;
-  const double energy = line.most_energy > 0 ? line.most_energy : lines_[0].most_energy;
+  const double speed = std::max(line.most_speed, least_part * lines_[0].most_speed);
+  const double energy = std::max(line.most_energy, least_part * lines_[0].most_energy);
   const auto part = [](double error, double whole) {
     return error == 0 ? 0 : error / (whole > 0 ? whole : 1);
   };
@@ -86,23 +91,6 @@ void BudgetWatch<Dim>::look(const Totals<Dim>& t) {
   }
   lines_[0].most_energy = std::max(lines_[0].most_energy, std::abs(all));
   for (std::size_t l = 0; l < lines_.size(); ++l) judge(l, owed(t, body_[l]));
-}
-
-template <int Dim>
-std::vector<Drift> BudgetWatch<Dim>::judged() const {
-  constexpr double least_part = 1e-6;
-  const auto part = [](double error, double own, double all) {
-    const double scale = std::max(own, least_part * all);
-    return error == 0 ? 0 : error / (scale > 0 ? scale : 1);
-  };
-  std::vector<Drift> drifts;
-  for (std::size_t l = 0; l < lines_.size(); ++l) {
-    const Line& line = lines_[l];
-    drifts.push_back({worst_[l].name, worst_[l].mass,
-                      part(line.momentum_error, line.most_speed, lines_[0].most_speed),
-                      part(line.energy_error, line.most_energy, lines_[0].most_energy)});
-  }
-  return drifts;
 }
 
 template class BudgetWatch<1>;

@@ -35,11 +35,10 @@ class BudgetWatch {
   void begin(const Totals<Dim>& start);
   void look(const Totals<Dim>& totals);
 
-  /// The largest errors at any look so far, `total` first, then each deformable body.
+  /// The largest errors at any look so far, `total` first, then each deformable body. A body that holds less
+  /// than 1e-4 of the energy, or of the motion, of all bodies is measured with so much of theirs: what is but
+  /// round-off for the others is no error of its own.
   const std::vector<Drift>& worst() const { return worst_; }
-  /// The same for a verdict: a body that holds less than 1e-6 of the energy, or of the motion, of all bodies
-  /// is measured with so much of theirs, so that what is but round-off for the others is no error of its own.
-  std::vector<Drift> judged() const;
   /// Those of the last look.
   const std::vector<Drift>& now() const { return now_; }
 

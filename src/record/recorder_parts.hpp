@@ -209,7 +209,7 @@ struct Recorder<Dim>::Parts {
       for (const config::Body& body : case_.bodies)
         if (body.name == b.name)
           b.thickness = config::thickness(body.shape, case_.domain) / case_.mesh.finest;
-    e.budgets = budget.judged();
+    e.budgets = budget.worst();
     return e;
   }
 

@@ -166,7 +166,7 @@ class Resume(unittest.TestCase):
 
     def test_a_longer_run_and_what_may_not_change(self):
         run = self.folder / "longer"
-        self.expect(recoil("run", self.case, "-o", run, "--plain", "--end", "1us", "-j", "1"), self.exit)
+        self.expect(recoil("run", self.case, "-o", run, "--plain", "--end", "1us", "-j", "1"), 0)
         text = (run / "case.toml").read_text()
         (run / "case.toml").write_text(text.replace('finest = "0.4 mm"', 'finest = "0.8 mm"'))
         self.expect(recoil("resume", run, "--to", "2us"), 2, "mesh.finest")
@@ -177,7 +177,7 @@ class Resume(unittest.TestCase):
 
     def test_damaged_checkpoints(self):
         run = self.folder / "damaged"
-        self.expect(recoil("run", self.case, "-o", run, "--plain", "--end", "1.5us", "-j", "1"), self.exit)
+        self.expect(recoil("run", self.case, "-o", run, "--plain", "--end", "1.5us", "-j", "1"), 0)
         files = sorted((run / "checkpoints").glob("*.h5"))
         self.assertEqual(len(files), 3)
         newest = files[-1].read_bytes()

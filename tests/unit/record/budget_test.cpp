@@ -88,12 +88,12 @@ TEST(Budget, RadialMomentumOfARingIsNotKept) {
   EXPECT_GT(w.worst()[1].momentum, 0);
 }
 
-TEST(Budget, ABodyAtRestIsMeasuredWithWhatMoves) {
+TEST(Budget, ABodyAtRestIsMeasuredWithAPartOfWhatMoves) {
   auto w = watch();
   Totals<2> t = start();
   t.bodies[1].momentum = {{1e-3, 0}};
   w.look(t);
-  EXPECT_NEAR(w.now()[2].momentum, 1e-3 / 20, 1e-12);
+  EXPECT_NEAR(w.now()[2].momentum, 1e-3 / (1e-4 * 20), 1e-12);
 }
 
 }  // namespace
