@@ -1,5 +1,7 @@
 #include "app/machine.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -53,9 +55,18 @@ double group_limit() {
   return least;
 }
 
+/// What `ulimit -v` and `ulimit -d` leave to this process.
+double process_limit() {
+  double least = unknown;
+  for (const auto kind : {RLIMIT_AS, RLIMIT_DATA})
+    if (rlimit limit{}; getrlimit(kind, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+      least = std::min(least, static_cast<double>(limit.rlim_cur));
+  return least;
+}
+
 }  // namespace
 
-double machine_memory() { return std::min(installed_memory(), group_limit()); }
+double machine_memory() { return std::min({installed_memory(), group_limit(), process_limit()}); }
 
 int machine_processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 

@@ -70,15 +70,7 @@ Part part_of(long first, const std::vector<parallel::Bytes>& records, long block
   return part;
 }
 
-void write_all(const std::filesystem::path& temporary, const BlockFileHead& head, long first,
-               const Part& part, const parallel::World& world) {
-  const QuietHdf5 quiet;
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "set the options of a file");
-  if (world.size() > 1)
-    Hdf5Handle::check(H5Pset_fapl_mpio(access, MPI_COMM_WORLD, MPI_INFO_NULL),
-                      "write with several processes");
-  Hdf5Handle file(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
-                  "create the checkpoint");
+void fill(hid_t file, const BlockFileHead& head, long first, const Part& part, const parallel::World& world) {
   const bool writes = world.rank() == 0;
   const auto whole = [&](const char* name, const parallel::Bytes& bytes) {
     std::array size{static_cast<std::int64_t>(writes ? bytes.size() : 0)};
@@ -99,7 +91,26 @@ void write_all(const std::filesystem::path& temporary, const BlockFileHead& head
   write_part(file, "records", H5T_NATIVE_UINT8, static_cast<std::size_t>(part.offset.back()),
              static_cast<std::size_t>(part.offset[begin]),
              reinterpret_cast<const unsigned char*>(part.bytes.data()), part.bytes.size());
+}
+
+/// All processes write into one file.
+void write_together(const std::filesystem::path& temporary, const BlockFileHead& head, long first,
+                    const Part& part, const parallel::World& world) {
+  const QuietHdf5 quiet;
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "set the options of a file");
+  Hdf5Handle::check(H5Pset_fapl_mpio(access, MPI_COMM_WORLD, MPI_INFO_NULL), "write with several processes");
+  Hdf5Handle file(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
+                  "create the checkpoint");
+  fill(file, head, first, part, world);
   file.close();
+}
+
+void write_alone(const std::filesystem::path& path, const BlockFileHead& head, long first, const Part& part,
+                 const parallel::World& world) {
+  const QuietHdf5 quiet;
+  Hdf5Image file;
+  fill(file, head, first, part, world);
+  write_atomically(path, file.bytes());
 }
 
 /// f() on this process; the same error on all where it failed on any.
@@ -160,6 +171,7 @@ void write_block_file(const std::filesystem::path& path, const BlockFileHead& he
                       const std::vector<parallel::Bytes>& records, long blocks,
                       const parallel::World& world) {
   const Part part = part_of(first, records, blocks, world);
+  if (world.size() == 1) return write_alone(path, head, first, part, world);
   // The same name on all processes: rank 0's.
   auto name = bytes_of(temporary_name(path).string());
   world.broadcast(name);
@@ -169,7 +181,7 @@ void write_block_file(const std::filesystem::path& path, const BlockFileHead& he
     if (world.rank() == 0) std::filesystem::remove(temporary, ignored);
   };
   try {
-    together(world, "write the checkpoint", [&] { write_all(temporary, head, first, part, world); });
+    together(world, "write the checkpoint", [&] { write_together(temporary, head, first, part, world); });
     together(world, "write the checkpoint", [&] {
       if (world.rank() == 0) sync_and_rename(temporary, path);
     });

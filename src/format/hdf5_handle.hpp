@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -36,6 +38,34 @@ class Hdf5Handle {
  private:
   hid_t id_;
   herr_t (*closer_)(hid_t);
+};
+
+/// A file of HDF5 that is made in memory and then written as a whole. HDF5 1.10 cannot close a file that a
+/// full disk has cut short: the program would crash when it ends.
+class Hdf5Image {
+ public:
+  Hdf5Image() : file_(made()) {}
+  operator hid_t() const { return file_; }
+
+  /// The bytes of the file. Everything in it must have been closed.
+  std::string bytes() {
+    Hdf5Handle::check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "make a file");
+    const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
+    std::string all(static_cast<std::size_t>(size > 0 ? size : 0), '\0');
+    Hdf5Handle::check(size > 0 && H5Fget_file_image(file_, all.data(), all.size()) == size ? 0 : -1,
+                      "make a file");
+    return all;
+  }
+
+ private:
+  static Hdf5Handle made() {
+    constexpr std::size_t growth = std::size_t{1} << 20;  // bytes
+    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "set the options of a file");
+    Hdf5Handle::check(H5Pset_fapl_core(access, growth, 0), "make a file in memory");
+    return {H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "make a file in memory"};
+  }
+
+  Hdf5Handle file_;
 };
 
 /// HDF5 prints its errors by default; ours are exceptions. Restores what was set before.

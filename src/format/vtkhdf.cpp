@@ -141,37 +141,27 @@ void write_vtkhdf(const std::filesystem::path& path, const UnstructuredGrid& gri
                   int deflate_level) {
   check_grid(grid);
   const QuietHdf5 quiet;
-  const auto temporary = temporary_name(path);
-  try {
-    const hid_t id = H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    if (id < 0) throw EnvironmentError(fmt::format("cannot create '{}'", path.string()));
-    Hdf5Handle file(id, H5Fclose, "create a file");
-    {
-      const Hdf5Handle order(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "set the options of a group");
-      H5Pset_link_creation_order(order, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
-      const Hdf5Handle root = new_group(file, "VTKHDF");
-      write_layout_marks(root);
-      write_grid(root, grid, deflate_level);
-      const Hdf5Handle cells(H5Gcreate2(root, "CellData", H5P_DEFAULT, order, H5P_DEFAULT), H5Gclose,
-                             "create a group");
-      for (const auto& array : grid.cell_arrays)
-        std::visit(
-            [&](const auto& values) {
-              write_dataset(cells, array.name, values, static_cast<std::size_t>(array.components),
-                            deflate_level);
-            },
-            array.values);
-      const Hdf5Handle points = new_group(root, "PointData");
-      const Hdf5Handle fields = new_group(root, "FieldData");
-      write_dataset(fields, "TimeValue", std::vector<double>{time_s}, 1, 0);
-    }
-    file.close();
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw;
+  Hdf5Image file;
+  {
+    const Hdf5Handle order(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "set the options of a group");
+    H5Pset_link_creation_order(order, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+    const Hdf5Handle root = new_group(file, "VTKHDF");
+    write_layout_marks(root);
+    write_grid(root, grid, deflate_level);
+    const Hdf5Handle cells(H5Gcreate2(root, "CellData", H5P_DEFAULT, order, H5P_DEFAULT), H5Gclose,
+                           "create a group");
+    for (const auto& array : grid.cell_arrays)
+      std::visit(
+          [&](const auto& values) {
+            write_dataset(cells, array.name, values, static_cast<std::size_t>(array.components),
+                          deflate_level);
+          },
+          array.values);
+    const Hdf5Handle points = new_group(root, "PointData");
+    const Hdf5Handle fields = new_group(root, "FieldData");
+    write_dataset(fields, "TimeValue", std::vector<double>{time_s}, 1, 0);
   }
-  sync_and_rename(temporary, path);
+  write_atomically(path, file.bytes());
 }
 
 VtkhdfFile read_vtkhdf(const std::filesystem::path& path) {

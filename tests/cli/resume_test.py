@@ -173,7 +173,7 @@ class Resume(unittest.TestCase):
         (run / "case.toml").write_text(text)
         self.expect(recoil("resume", run, "--to", "2us", "--set", "body.falling.velocity.y=-300m/s"), 2,
                     "body.falling.velocity")
-        self.expect(recoil("resume", run, "--to", "2us", "--set", "output.fields.every=1us"), self.exit, "goes on from")
+        self.expect(recoil("resume", run, "--to", "2us", "--set", "output.fields.every=1us"), 0, "goes on from")
 
     def test_damaged_checkpoints(self):
         run = self.folder / "damaged"
@@ -185,7 +185,7 @@ class Resume(unittest.TestCase):
                              (newest[:-4000] + b"x" * 500 + newest[-3500:], "cannot be used")):
             files[-1].write_bytes(damage)
             self.expect(recoil("resume", run, "--to", "2us"), 2, text, "--from")
-        self.expect(recoil("resume", run, "--to", "2us", "--from", files[-2].name), self.exit)
+        self.expect(recoil("resume", run, "--to", "2us", "--from", files[-2].name), 0)
         self.expect(recoil("resume", self.folder / "nowhere"), 2, "no checkpoint")
 
     def test_a_folder_belongs_to_one_run(self):

@@ -179,7 +179,7 @@ int check(const CheckOptions& options) {
       all.push_back(report_json(r));
     else
       print_report(r);
-    if (!r.good()) code = exit_bad_input;
+    if (!r.good()) code = r.loaded.too_large && code == exit_finished ? exit_environment : exit_bad_input;
     if (!options.png.empty() && r.good()) draw_case(r.loaded.contents, options.png);
   }
   if (options.json) fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));

@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+"""What the machine refuses: full disks, folders that cannot be written, too little memory, too many threads.
+
+The program must say so in its own words, exit with 4, and leave what it has written readable and resumable.
+"""
+
+import os
+import pathlib
+import resource
+import shutil
+import subprocess
+import unittest
+
+from program import COARSE, Program, recoil
+
+
+def limited(kind, size):
+    """Sets a limit of the process that is about to start."""
+    return lambda: resource.setrlimit(kind, (size, size))
+
+
+class Environment(Program):
+    def test_a_full_disk(self):
+        """On a small file system of our own; needs the right to mount."""
+        disk = self.folder / "disk"
+        disk.mkdir()
+        mount = ["mount", "-t", "tmpfs", "-o", "size=2m", "tmpfs", str(disk)]
+        if not shutil.which("mount") or subprocess.run(mount, capture_output=True, check=False).returncode:
+            self.skipTest("no right to mount a file system")
+        self.addCleanup(subprocess.run, ["umount", str(disk)], check=True)
+        case = self.case(('fields = { every = "0.5 us" }',
+                          'fields = { every = "0.02 us" }\ncheckpoint = { every = "0.5 us", keep = 1 }'))
+        words = ["-o", disk / "run", *COARSE, "--plain", "-j", "1"]
+        full = recoil("run", case, *words)
+        self.expect(full, 4, "No space left on device")
+        self.expect(recoil("status", disk / "run"), 0, "interrupted", "resume")
+        written = sorted((disk / "run" / "fields").glob("*.hdf"))
+        self.assertGreater(len(written), 2)
+        self.expect(recoil("plot", disk / "run", "pressure", "-o", self.folder / "last.png"), 0)
+        # With room again it goes on.
+        for file in written[:-1]:
+            file.unlink()
+        subprocess.run(["mount", "-o", "remount,size=40m", str(disk)], check=True)
+        self.expect(recoil("resume", disk / "run", "-j", "1"), 0, "finished at 6 us")
+
+    def test_a_disk_with_no_room_at_all(self):
+        disk = self.folder / "disk"
+        disk.mkdir()
+        mount = ["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", str(disk)]
+        if not shutil.which("mount") or subprocess.run(mount, capture_output=True, check=False).returncode:
+            self.skipTest("no right to mount a file system")
+        self.addCleanup(subprocess.run, ["umount", str(disk)], check=True)
+        result = recoil("run", self.case(), "-o", disk / "run", "-j", "1")
+        self.expect(result, 4, "error: cannot")
+        self.assertNotIn("signal", result.stdout + result.stderr)
+
+    def test_folders_that_cannot_be_made(self):
+        file = self.folder / "a_file"
+        file.write_text("")
+        for folder in (file / "out", pathlib.Path("/proc/recoil/out")):
+            self.expect(recoil("run", self.case(), "-o", folder, *COARSE), 4, str(folder.parent))
+
+    def test_a_folder_that_may_only_be_read(self):
+        closed = self.folder / "closed"
+        closed.mkdir()
+        if os.geteuid() == 0:
+            mount = ["mount", "-t", "tmpfs", "-o", "ro", "tmpfs", str(closed)]
+            if subprocess.run(mount, capture_output=True, check=False).returncode:
+                self.skipTest("root may write everywhere, and no file system can be mounted")
+            self.addCleanup(subprocess.run, ["umount", str(closed)], check=True)
+        else:
+            closed.chmod(0o500)
+        self.expect(recoil("run", self.case(), "-o", closed / "out", *COARSE), 4, "closed")
+
+    def test_less_memory_than_the_case_needs(self):
+        case = self.case(('finest = "0.05 mm"', 'finest = "0.001 um"'))
+        for words in (("check", case), ("run", case, "-o", self.folder / "out")):
+            result = recoil(*words, preexec_fn=limited(resource.RLIMIT_AS, 4 << 30))
+            self.expect(result, 4, "GB of memory", "finest")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_numbers_of_threads_and_processes(self):
+        for words in (("-j", "0"), ("-j", "-3"), ("-n", "0")):
+            self.expect(recoil("run", self.case(), "-o", self.folder / "out", *COARSE, *words), 2)
+            self.assertFalse((self.folder / "out").exists())
+        many = recoil("run", self.case(), "-o", self.folder / "out", *COARSE, "-j", "1000")
+        self.expect(many, 0, "finished at 6 us")
+
+
+if __name__ == "__main__":
+    unittest.main()
