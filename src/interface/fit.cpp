@@ -267,7 +267,7 @@ void move_fit(const EosModel& eos, const Grid<Dim>& grid, const Body<Dim>& body,
   const Response m{w[C::rho] * c2, g, g > 0 ? loading_of(eos, body, w, working) : 0};
   Primitives<Dim> rate{};
   for_each_axis<Dim>([&](auto d) {
-    const auto along = rate_along<Dim, d>(w, slope[d], 0, m);
+    const auto along = rate_along<Dim, d>(w, slope[d], w[C::u + d], m);
     for (std::size_t c = 0; c < w.size(); ++c) rate[c] += along[c];
   });
   if constexpr (Dim == 2)
