@@ -29,12 +29,20 @@ struct Reader {
     for (std::size_t c = 0; c < w.size(); ++c) w[c] = primitive[c * wide + k];
     return w;
   }
-  /// 0 where one of the three cells has no value.
+  /// One-sided where one of the neighbours has no value, 0 where both have none or the cell itself has none.
   [[gnu::always_inline]] Primitives<Dim> slope(std::ptrdiff_t k, std::ptrdiff_t step) const {
-    const double f = open ? per_dx * open[k - step] * open[k] * open[k + step] : per_dx;
+    double low = per_dx, high = per_dx;
+    if (open) {
+      const double a = open[k - step], b = open[k + step], both = a + b;
+      const double each = open[k] * per_dx * 2 / (both > 0 ? both : 1.0);
+      low = a * each;
+      high = b * each;
+    }
     Primitives<Dim> s;
-    for (std::size_t c = 0; c < s.size(); ++c)
-      s[c] = f * (primitive[c * wide + k + step] - primitive[c * wide + k - step]);
+    for (std::size_t c = 0; c < s.size(); ++c) {
+      const double here = primitive[c * wide + k];
+      s[c] = low * (here - primitive[c * wide + k - step]) + high * (primitive[c * wide + k + step] - here);
+    }
     return s;
   }
   [[gnu::always_inline]] Response response(std::ptrdiff_t k, const double* loading) const {
