@@ -45,7 +45,7 @@ void block_update(benchmark::State& timer, Where where) {
   Scratch& scratch = sample.team.scratch(0);
   for (auto _ : timer) {
     const Scratch::Frame frame(scratch);
-    update_block(state, body, slot, 0.0, 1.0, edges, counters, scratch);
+    update_block(state, body, slot, FaceTime::now, 0.0, 1.0, edges, counters, scratch);
     benchmark::DoNotOptimize(body.at(slot).contents.data());
     benchmark::ClobberMemory();
   }

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "cutcell/whole_cells.hpp"
+#include "dynamics/block_half_step.hpp"
 #include "dynamics/block_sources.hpp"
 #include "dynamics/face_sweep.hpp"
 
@@ -27,6 +28,7 @@ void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double 
   using C = Components<Dim>;
   constexpr std::size_t count = EosModel::barotropic ? C::primitives : C::contents;
   w.primitive = scratch.take<double>(w.wide * C::primitives + vector_length);
+  std::fill_n(w.primitive + w.wide * count, w.wide * (C::primitives - count) + vector_length, 0.0);
   std::array<typename Window<Dim>::template Component<double>, count> components;
   for (std::size_t c = 0; c < count; ++c) {
     components[c].missing = c == C::rho ? eos.rho0 : 0.0;
@@ -85,8 +87,9 @@ void drop_outside(Work<Dim>& w) {
 }
 
 template <int Dim, bool Shear, class Scheme, class EosModel>
-void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, Cells cells, double dt,
-            double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, Cells cells,
+            FaceTime faces, double dt, double weight, Account<Dim>& edges, Counters& counters,
+            Scratch& scratch) {
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
   const double g = shear_modulus(body.material);
@@ -95,6 +98,7 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
   w.wide = w.window.size();
   w.whole = cells == Cells::whole;
   gather_values(body, slot, eos, g, w, scratch);
+  if (faces == FaceTime::midstep) detail::find_half_step(body, dt, w, scratch);
   w.rate = scratch.take_filled<double>(w.n * C::contents, 0);
   w.gradient = scratch.take_filled<double>(w.n * Dim * Dim, 0);
   w.radial = scratch.take_filled<double>(state.grid().axisymmetric ? w.n * 2 : 1, 0);
@@ -104,6 +108,7 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
     detail::sweep<Dim, 1, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
   if constexpr (Dim > 2)
     detail::sweep<Dim, 2, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
+  if (faces == FaceTime::midstep) detail::move_to_midstep(w);
   if (!w.whole) detail::add_walls(b, w, dt);
   detail::add_sources(b, g, w, scratch);
   if (w.whole) drop_outside(w);
@@ -111,15 +116,17 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
 }
 
 template <class Scheme, int Dim>
-void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, double dt, double weight,
-                 Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, FaceTime faces, double dt,
+                 double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   if (body.at(slot).matter.size() == 0) return;
   std::visit(
       [&](const auto& eos) {
         if (has_strength(body.material.strength))
-          update<Dim, true, Scheme>(state, eos, body, slot, cells, dt, weight, edges, counters, scratch);
+          update<Dim, true, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters,
+                                    scratch);
         else
-          update<Dim, false, Scheme>(state, eos, body, slot, cells, dt, weight, edges, counters, scratch);
+          update<Dim, false, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters,
+                                     scratch);
       },
       body.material.eos);
 }
@@ -127,23 +134,24 @@ void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells
 }  // namespace
 
 template <int Dim>
-void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt, double weight,
-                  Account<Dim>& edges, Counters& counters, Scratch& scratch) {
-  update_with<WenoHllc>(state, body, slot, Cells::cut, dt, weight, edges, counters, scratch);
+void update_block(const State<Dim>& state, Body<Dim>& body, int slot, FaceTime faces, double dt,
+                  double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+  update_with<WenoHllc>(state, body, slot, Cells::cut, faces, dt, weight, edges, counters, scratch);
 }
 
 template <int Dim>
 void update_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, FaceScheme scheme, double dt,
                         double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   if (scheme == FaceScheme::eno_llf)
-    update_with<EnoLlf>(state, body, slot, Cells::whole, dt, weight, edges, counters, scratch);
+    update_with<EnoLlf>(state, body, slot, Cells::whole, FaceTime::now, dt, weight, edges, counters, scratch);
   else
-    update_with<WenoHllc>(state, body, slot, Cells::whole, dt, weight, edges, counters, scratch);
+    update_with<WenoHllc>(state, body, slot, Cells::whole, FaceTime::now, dt, weight, edges, counters,
+                          scratch);
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                         \
-  template void update_block<Dim>(const State<Dim>&, Body<Dim>&, int, double, double, Account<Dim>&,    \
-                                  Counters&, Scratch&);                                                 \
+  template void update_block<Dim>(const State<Dim>&, Body<Dim>&, int, FaceTime, double, double,         \
+                                  Account<Dim>&, Counters&, Scratch&);                                  \
   template void update_whole_cells<Dim>(const State<Dim>&, Body<Dim>&, int, FaceScheme, double, double, \
                                         Account<Dim>&, Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)

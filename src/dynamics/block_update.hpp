@@ -5,6 +5,10 @@
 
 namespace recoil {
 
+/// Of what time the values at faces are: of the start of the stage, or of its middle. With those of the
+/// middle one stage is a whole step of second order.
+enum class FaceTime { now, midstep };
+
 /// One Euler substage of the matter of one body in one block: fluxes through open faces times their open
 /// areas, the velocity gradient integrated over each fragment (no division by V), the sources of the stress
 /// deviator (2 G dev D and the Jaumann terms) and of axisymmetry, and what the walls do (BodyBlock::walls).
@@ -14,8 +18,8 @@ namespace recoil {
 /// domain
 ///   is booked with it.
 template <int Dim>
-void update_block(const State<Dim>& state, Body<Dim>& body, int slot, double dt, double weight,
-                  Account<Dim>& edges, Counters& counters, Scratch& scratch);
+void update_block(const State<Dim>& state, Body<Dim>& body, int slot, FaceTime faces, double dt,
+                  double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch);
 
 /// How fluxes through faces are found.
 enum class FaceScheme {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "dynamics/face_values.hpp"
 #include "state/body.hpp"
 
 namespace recoil::detail {
@@ -18,9 +19,15 @@ struct Work {
   double *primitive = nullptr, *impedance = nullptr, *stress = nullptr;
   std::uint8_t* role = nullptr;  // null where every cell has a value
   bool whole = false;            // cells are whole and real, or not there at all (ghost fluid)
+  HalfStep ahead{};              // dt 0: three stages
+  double* open = nullptr;        // 1 where a cell has a value for half a step, else 0; null: all have
   double* rate = nullptr;        // [contents]
   double* gradient = nullptr;    // [i * Dim + j]: integral of du_i/dx_j
   double* radial = nullptr;      // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
+
+  Row<Dim> row(std::ptrdiff_t first, std::ptrdiff_t step, int count) const {
+    return {primitive, stress, impedance, wide, first, step, count, ahead.dt > 0 ? &ahead : nullptr};
+  }
 };
 
 }  // namespace recoil::detail

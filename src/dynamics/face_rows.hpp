@@ -51,8 +51,7 @@ void solve_along_rows(const EosModel& eos, double g, const Work<Dim>& w, const F
     const Span open = open_span(out.area + at_face, out.box.extent(0));
     for (int from = open.lo; from < open.hi; from += longest_row - 1) {
       const int count = std::min(open.hi - from, longest_row - 1);
-      Row<Dim> row{
-          w.primitive, w.stress, w.impedance, w.wide, at_cell + from - 1, 1, whole_vectors(count + 1)};
+      Row<Dim> row = w.row(at_cell + from - 1, 1, whole_vectors(count + 1));
       reconstruct<Dim, 0, Shear>(eos, g, row, 0, low, high);
       ++row.first;
       row.count = count;
@@ -85,14 +84,12 @@ void solve_across_rows(const EosModel& eos, double g, const Work<Dim>& w, const 
             layer + 1 < layers ? open_span(out.area + at_face + (layer + 1) * next, count) : Span{};
         const Span all = both(open, ahead);
         if (!all.empty())
-          reconstruct<Dim, Axis, Shear>(eos, g,
-                                        {w.primitive, w.stress, w.impedance, w.wide, first + all.lo, step,
-                                         whole_vectors(all.hi - all.lo)},
+          reconstruct<Dim, Axis, Shear>(eos, g, w.row(first + all.lo, step, whole_vectors(all.hi - all.lo)),
                                         all.lo, low, *high);
         if (!open.empty())
           counters.first_order_faces += solve_faces<Dim, Axis, Shear>(
-              eos, g, {w.primitive, w.stress, w.impedance, w.wide, first + open.lo, step, open.hi - open.lo},
-              *behind, open.lo, low, open.lo, out.flux_at(at_face + layer * next + open.lo));
+              eos, g, w.row(first + open.lo, step, open.hi - open.lo), *behind, open.lo, low, open.lo,
+              out.flux_at(at_face + layer * next + open.lo));
         std::swap(high, behind);
         open = ahead;
       }
@@ -111,13 +108,7 @@ void solve_row_by_row(const EosModel& eos, double g, const Work<Dim>& w, const F
     const int at_face = out.box.at(r), at_cell = w.window.at(r);
     const Span open = open_span(out.area + at_face, out.box.extent(0));
     for (int from = open.lo; from < open.hi; from += longest_row) {
-      const Row<Dim> row{w.primitive,
-                         w.stress,
-                         w.impedance,
-                         w.wide,
-                         at_cell + from,
-                         step,
-                         std::min(open.hi - from, longest_row)};
+      const Row<Dim> row = w.row(at_cell + from, step, std::min(open.hi - from, longest_row));
       counters.first_order_faces +=
           Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out.flux_at(at_face + from));
     }

@@ -5,6 +5,7 @@
 
 #include "core/scratch.hpp"
 #include "cutcell/geometry.hpp"
+#include "dynamics/block_half_step.hpp"
 #include "dynamics/face_rows.hpp"
 #include "dynamics/flux_llf.hpp"
 
@@ -50,13 +51,23 @@ void poor_face(const EosModel& eos, double g, const Work<Dim>& w, std::ptrdiff_t
   for (std::size_t s : {4, 5})
     if (!has[s]) from[s] = from[s - 1];
   std::array<double, 6 * C::primitives> value{};
-  std::array<double, 6> stress{}, impedance{};
+  std::array<std::array<double, 6 * C::primitives>, 4> change{};
+  std::array<double, 6> stress{}, impedance{}, loading{};
   for (std::size_t s = 0; s < 6; ++s) {
-    for (std::size_t c = 0; c < C::primitives; ++c) value[c * 6 + s] = w.primitive[c * w.wide + from[s]];
+    for (std::size_t c = 0; c < C::primitives; ++c) {
+      value[c * 6 + s] = w.primitive[c * w.wide + from[s]];
+      for (std::size_t d = 0; d < change.size(); ++d)
+        if (w.ahead.change[d]) change[d][c * 6 + s] = w.ahead.change[d][c * w.wide + from[s]];
+    }
     stress[s] = w.stress[from[s]];
     impedance[s] = w.impedance[from[s]];
+    if (w.ahead.loading) loading[s] = w.ahead.loading[from[s]];
   }
-  const Row<Dim> row{value.data(), stress.data(), impedance.data(), 6, 3, 1, 1};
+  HalfStep ahead{w.ahead.dt, w.ahead.per_dx, loading.data(), {}};
+  for (std::size_t d = 0; d < change.size(); ++d)
+    if (w.ahead.change[d]) ahead.change[d] = change[d].data();
+  const Row<Dim> row{
+      value.data(), stress.data(), impedance.data(), 6, 3, 1, 1, ahead.dt > 0 ? &ahead : nullptr};
   counters.first_order_faces += Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out);
 }
 

@@ -4,49 +4,12 @@
 #include <cstddef>
 #include <utility>
 
+#include "dynamics/face_half_step.hpp"
+#include "dynamics/face_values.hpp"
 #include "dynamics/primitives.hpp"
 #include "dynamics/reconstruction.hpp"
 
 namespace recoil {
-
-/// The longest row of cells or faces that one call takes.
-inline constexpr int longest_row = 96;
-/// Rows of cells may be rounded up to whole vectors: what is computed beyond their end is not used.
-inline constexpr int vector_length = 4;
-constexpr int whole_vectors(int count) { return (count + vector_length - 1) / vector_length * vector_length; }
-
-/// Where a row of cells, or of faces, reads. Arrays hold every component of every cell of a window. Cell i of
-/// a row of cells is `first + i`; face i of a row of faces lies between cells `first + i - step` and `first +
-/// i`.
-template <int Dim>
-struct Row {
-  const double* primitive = nullptr;   // [Components::primitives][cells]
-  const double* stress = nullptr;      // [cells] sigma_nn = S_nn - p along the row's axis
-  const double* impedance = nullptr;   // [cells] rho c_L
-  std::size_t cells = 0;               // of the window
-  std::ptrdiff_t first = 0, step = 1;  // step: distance in memory along the axis
-  int count = 0;
-};
-
-/// Primitives of a row of cells at one of their two faces across an axis.
-template <int Dim>
-struct FaceValues {
-  static constexpr int room = longest_row + 8;
-  alignas(64) double value[Components<Dim>::primitives][room];
-  alignas(64) double stress[room];  // sigma_nn
-};
-
-/// Flux per area along the axis, and the star velocities.
-template <int Dim>
-struct FaceFlux {
-  double* flux = nullptr;      // [Components::contents][faces]
-  double* velocity = nullptr;  // [Dim][faces]
-  std::size_t faces = 0;       // distance between components
-  std::ptrdiff_t first = 0;    // place of the row's first face
-
-  double* flux_of(std::size_t component) const { return flux + component * faces + first; }
-  double* velocity_along(std::size_t axis) const { return velocity + axis * faces + first; }
-};
 
 namespace detail {
 
@@ -102,8 +65,8 @@ template <int Dim, int Axis, class Values>
 }  // namespace detail
 
 /// Values of a row of cells at their low and high faces across `Axis`: WENO5-Z of the characteristic-like
-/// sigma +- Z u and tau +- Z_s v and of the remaining primitives, written from place `to` on. p is left to
-/// solve_faces().
+/// sigma +- Z u and tau +- Z_s v and of the remaining primitives, written from place `to` on, moved to the
+/// middle of the step where it has one stage (Row::ahead). p is left to solve_faces().
 /// @param Shear false for fluids: no shear waves at all.
 template <int Dim, int Axis, bool Shear, class EosModel>
 void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, int to, FaceValues<Dim>& low,
@@ -159,6 +122,7 @@ void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, 
       back(sum.high, difference.high, high.value[C::s][i + to], high.value[C::s + 1][i + to]);
     }
   }
+  if (in.ahead) detail::move_half_step<Dim, Axis, Shear, EosModel>(shear_modulus, in, to, low, high);
 }
 
 namespace detail {

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <variant>
 
+#include "dynamics/half_step.hpp"
+#include "dynamics/plastic_return.hpp"
 #include "dynamics/primitives.hpp"
 
 namespace recoil {
@@ -235,6 +237,45 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& 
   wall.range[C::extra] = Dim == 3 ? trace_range(body, wall, donors, n) : 0;
 }
 
+/// 1/|S| where the fitted state is at yield and its gradients load it on, else 0.
+template <int Dim, class EosModel>
+double loading_of(const EosModel& eos, const Body<Dim>& body, const Primitives<Dim>& w, double working) {
+  using C = Components<Dim>;
+  if (!(working > 0)) return 0;
+  double e = eos.energy(w[C::rho], w[C::p]);
+  if constexpr (EosModel::barotropic) e += w[C::extra];
+  const double temperature = body.temperature(w[C::rho], e, w[C::temperature_rise]);
+  const double yield =
+      std::visit([&](const auto& m) { return m.yield(w[C::ep], 0, temperature); }, body.material.strength);
+  const double square = equivalent_stress_squared<Dim>(w.data() + C::s, 1);
+  return square > 0 && square >= at_yield * yield * yield ? std::sqrt(1.5 / square) : 0;
+}
+
+template <int Dim, class EosModel>
+void move_fit(const EosModel& eos, const Grid<Dim>& grid, const Body<Dim>& body, const CutCell<Dim>& cut,
+              double time, Wall<Dim>& wall) {
+  using C = Components<Dim>;
+  const Primitives<Dim> w = wall.value;
+  std::array<Primitives<Dim>, Dim> slope{};
+  double working = 0;
+  for_each_axis<Dim>([&](auto d) {
+    for (std::size_t c = 0; c < w.size(); ++c) slope[d][c] = wall.gradient[c][d] / grid.dx;
+    working += working_along<Dim, d>(w, slope[d]);
+  });
+  const double c0 = bulk_sound_speed(eos), g = shear_modulus(body.material);
+  const double c2 = std::max(eos.sound_speed_squared(w[C::rho], w[C::p]), least_sound * c0 * c0);
+  const Response m{w[C::rho] * c2, g, g > 0 ? loading_of(eos, body, w, working) : 0};
+  Primitives<Dim> rate{};
+  for_each_axis<Dim>([&](auto d) {
+    const auto along = rate_along<Dim, d>(w, slope[d], w[C::u + d], m);
+    for (std::size_t c = 0; c < w.size(); ++c) rate[c] += along[c];
+  });
+  if constexpr (Dim == 2)
+    if (grid.axisymmetric && cut.point[0] > grid.dx)
+      add_widening(w, w[C::u] / cut.point[0], 1 / cut.point[0], m, rate);
+  for (std::size_t c = 0; c < w.size(); ++c) wall.value[c] += time * rate[c];
+}
+
 }  // namespace
 
 template <int Dim>
@@ -286,9 +327,21 @@ void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
       body.material.eos);
 }
 
+template <int Dim>
+void move_fits(const State<Dim>& state, Body<Dim>& body, int slot, double time) {
+  BodyBlock<Dim>& b = body.at(slot);
+  std::visit(
+      [&](const auto& eos) {
+        for (std::size_t m = 0; m < b.walls.size(); ++m)
+          if (b.walls[m].donors > 0) move_fit(eos, state.grid(), body, b.geometry.cuts[m], time, b.walls[m]);
+      },
+      body.material.eos);
+}
+
 #define RECOIL_INSTANTIATE(Dim)                                                              \
   template void choose_donors<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&); \
-  template void evaluate_fits<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);
+  template void evaluate_fits<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);           \
+  template void move_fits<Dim>(const State<Dim>&, Body<Dim>&, int, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

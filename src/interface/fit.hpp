@@ -19,4 +19,9 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
 template <int Dim>
 void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 
+/// Moves the fitted primitives on by `time` [s] at the surface point, by their own gradients, with the
+/// plastic tangent where the surface yields and goes on loading.
+template <int Dim>
+void move_fits(const State<Dim>& state, Body<Dim>& body, int slot, double time);
+
 }  // namespace recoil

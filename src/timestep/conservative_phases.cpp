@@ -20,19 +20,32 @@ constexpr double follow_rate = 0.02;  // part of the mismatch that phi takes up 
 }  // namespace
 
 template <int Dim>
-void find_walls(StepRun<Dim>& step, double dt, double weight) {
+void find_walls(StepRun<Dim>& step, double dt, const Stage& stage) {
   static constexpr FieldAccess access{"find walls", average | phi | contact,
                                       geometry | donors | contents | volume, walls};
   State<Dim>& state = step.state();
+  const double booked = stage.faces == FaceTime::now ? stage.weight : 0;
   step.for_each_slot(StepPhase::walls, access, [&](int slot, Scratch& scratch) {
     for (Body<Dim>& body : state.bodies)
       if (!body.rigid && body.present(slot)) evaluate_fits(state, body, slot, step.counters(slot));
-    find_walls(state, slot, dt, weight, scratch);
+    find_walls(state, slot, dt, booked, scratch);
   });
 }
 
 template <int Dim>
-void update_matter(StepRun<Dim>& step, double dt, double weight) {
+void move_walls(StepRun<Dim>& step, double dt, const Stage& stage) {
+  static constexpr FieldAccess access{"move walls", phi | contact, geometry, walls};
+  if (stage.faces == FaceTime::now) return;
+  State<Dim>& state = step.state();
+  step.for_each_slot(StepPhase::walls, access, [&](int slot, Scratch& scratch) {
+    for (Body<Dim>& body : state.bodies)
+      if (!body.rigid && body.present(slot)) move_fits(state, body, slot, 0.5 * dt);
+    find_walls(state, slot, dt, stage.weight, scratch);
+  });
+}
+
+template <int Dim>
+void update_matter(StepRun<Dim>& step, double dt, const Stage& stage) {
   static constexpr FieldAccess access{"update matter", stencil | role, geometry | walls, contents | volume};
   State<Dim>& state = step.state();
   step.for_each_slot(StepPhase::flux, access, [&](int slot, Scratch& scratch) {
@@ -41,7 +54,8 @@ void update_matter(StepRun<Dim>& step, double dt, double weight) {
       if (body.rigid || !body.present(slot)) continue;
       const Scratch::Frame frame(scratch);
       auto& ledger = state.ledger[slot];
-      update_block(state, body, slot, dt, weight, ledger.edges[m], ledger.counters, scratch);
+      update_block(state, body, slot, stage.faces, dt, stage.weight, ledger.edges[m], ledger.counters,
+                   scratch);
     }
   });
 }
@@ -109,14 +123,15 @@ void bound_volumes(StepRun<Dim>& step) {
   apply_updates(step, StepPhase::moves);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                    \
-  template void find_walls<Dim>(StepRun<Dim>&, double, double);    \
-  template void update_matter<Dim>(StepRun<Dim>&, double, double); \
-  template void redistribute_small_fragments<Dim>(StepRun<Dim>&);  \
-  template void cut_out_rigid_bodies<Dim>(StepRun<Dim>&);          \
-  template void exchange_along_surfaces<Dim>(StepRun<Dim>&);       \
-  template void follow_volumes<Dim>(StepRun<Dim>&);                \
-  template void empty_and_fill<Dim>(StepRun<Dim>&);                \
+#define RECOIL_INSTANTIATE(Dim)                                          \
+  template void find_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
+  template void move_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
+  template void update_matter<Dim>(StepRun<Dim>&, double, const Stage&); \
+  template void redistribute_small_fragments<Dim>(StepRun<Dim>&);        \
+  template void cut_out_rigid_bodies<Dim>(StepRun<Dim>&);                \
+  template void exchange_along_surfaces<Dim>(StepRun<Dim>&);             \
+  template void follow_volumes<Dim>(StepRun<Dim>&);                      \
+  template void empty_and_fill<Dim>(StepRun<Dim>&);                      \
   template void bound_volumes<Dim>(StepRun<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

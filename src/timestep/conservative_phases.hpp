@@ -5,12 +5,15 @@
 /// Phases of the conservative scheme only.
 namespace recoil {
 
-/// Fits, contacts and walls of a stage. @param weight of the stage in the whole step.
+/// Fits, contacts and walls of the start of a stage.
 template <int Dim>
-void find_walls(StepRun<Dim>& step, double dt, double weight);
+void find_walls(StepRun<Dim>& step, double dt, const Stage& stage);
+/// The same of the middle of the step, for a stage whose values at faces are of then; else nothing.
+template <int Dim>
+void move_walls(StepRun<Dim>& step, double dt, const Stage& stage);
 /// Q += dt R, V += dt R_V.
 template <int Dim>
-void update_matter(StepRun<Dim>& step, double dt, double weight);
+void update_matter(StepRun<Dim>& step, double dt, const Stage& stage);
 template <int Dim>
 void redistribute_small_fragments(StepRun<Dim>& step);
 /// No level set reaches into a rigid body.

@@ -1,21 +1,31 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "cutcell/geometry.hpp"
 #include "cutcell/whole_cells.hpp"
+#include "dynamics/block_update.hpp"
 #include "timestep/step_run.hpp"
 
 /// The phases that the schemes have in common; those of one scheme are in conservative_phases.hpp and
 /// whole_cell_phases.hpp. A phase that changes the state is collective.
 namespace recoil {
 
-/// SSP-RK3 (Shu & Osher 1988): each stage is a full Euler step, mixed with `old_weight` of the old state;
-/// `weight` is its own in the whole step.
+/// A stage of a step: a full Euler step from the values at faces of its start or of its middle, mixed with
+/// `old_weight` of the old state; `weight` is its own in the whole step.
 struct Stage {
   double old_weight, weight;
+  FaceTime faces = FaceTime::now;
 };
+/// SSP-RK3 (Shu & Osher 1988).
 inline constexpr std::array<Stage, 3> ssp_rk3{{{0, 1.0 / 6}, {0.75, 1.0 / 6}, {1.0 / 3, 2.0 / 3}}};
+/// One stage with values at faces, and walls, of the middle of the step.
+inline constexpr std::array<Stage, 1> one_stage{{{0, 1, FaceTime::midstep}}};
+inline std::span<const Stage> stages_of(StepStages stages) {
+  if (stages == StepStages::one) return one_stage;
+  return ssp_rk3;
+}
 
 /// Chooses the role of each fragment, and finds the primitives of all averages.
 template <int Dim>

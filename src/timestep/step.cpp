@@ -15,15 +15,17 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   // The start of the step: averages, the stable step, and the geometry half a step on.
   average_states(step);
   const double dt = choose_length(step, stepping, until);
-  keep_old(step);
+  const auto stages = stages_of(stepping.stages);
+  if (stages.size() > 1) keep_old(step);
   advect_surfaces_half(step, dt);
   cut_cells(step, Surfaces::shared, PhiAt::midstep, 0.5 * dt);
   choose_donors_and_ghosts(step);
 
-  for (const Stage& stage : ssp_rk3) {
-    find_walls(step, dt, stage.weight);     // contact: touch, slide, separate
-    fill_values(step);                      // ghost values of the walls
-    update_matter(step, dt, stage.weight);  // Q += dt R, V += dt R_V
+  for (const Stage& stage : stages) {
+    find_walls(step, dt, stage);     // contact: touch, slide, separate
+    fill_values(step);               // ghost values of the walls
+    move_walls(step, dt, stage);     // to the middle of the step, where it has one stage
+    update_matter(step, dt, stage);  // Q += dt R, V += dt R_V
     redistribute_small_fragments(step);
     average_inadmissible_states(step);
     return_to_yield(step, dt, stage.old_weight);  // then the Runge-Kutta mean

@@ -27,11 +27,15 @@ enum class StepPhase {
 };
 const char* name_of(StepPhase part);
 
+/// Stages of a step of the conservative scheme.
+enum class StepStages { one, three };
+
 /// What drives the steps of a run.
 struct Stepping {
   double cfl = 0.9;                // of min dx/sum_d(|u_d| + c_L)
   std::optional<double> fixed_dt;  // s, instead of the stable step
   double kappa = 0.5;              // [dx] distance at which bodies meet; seed scheme only
+  StepStages stages = StepStages::three;
 };
 
 /// The processes, threads and clocks that a step works with.

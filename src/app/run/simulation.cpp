@@ -141,7 +141,8 @@ void Simulation<Dim>::tell_events() {
 
 template <int Dim>
 void Simulation<Dim>::advance() {
-  const Stepping stepping{case_.time.cfl, case_.time.fixed_dt, case_.method.kappa};
+  const Stepping stepping{case_.time.cfl, case_.time.fixed_dt, case_.method.kappa,
+                          case_.method.stages == "one" ? StepStages::one : StepStages::three};
   try {
     dt_ = scheme_.advance(state_, stepping, case_.time.end, engine_);
     recorder_->after_step(state_, dt_);

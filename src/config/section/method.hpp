@@ -8,6 +8,7 @@ namespace recoil::config {
 
 struct Method {
   std::string scheme = "conservative";  // conservative, ghost-fluid, seed
+  std::string stages = "three";         // one, three; conservative only
   double kappa = 0.5;                   // [dx] distance at which bodies meet; seed only
 
   static constexpr const char* doc = "The numerical method.";
@@ -19,6 +20,13 @@ struct Method {
                     "paper, to compare with",
              .example = R"("conservative")",
              .choices = {"conservative", "ghost-fluid", "seed"}},
+            {.name = "stages",
+             .member = &Method::stages,
+             .doc = "scheme = \"conservative\" only: stages of a step; one: values at faces and walls of the "
+                    "middle of the step; three: SSP-RK3, twice the time",
+             .example = R"("three")",
+             .choices = {"one", "three"},
+             .when = [](const Method& m) { return m.scheme == "conservative"; }},
             {.name = "kappa",
              .member = &Method::kappa,
              .most = 1,

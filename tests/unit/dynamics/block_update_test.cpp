@@ -41,7 +41,7 @@ struct Bulk {
     }
     for (int s = 0; s < state.mesh.local(); ++s) {
       const Scratch::Frame frame(scratch);
-      update_block(state, state.bodies[0], s, dt, 1, edges[s], counters, scratch);
+      update_block(state, state.bodies[0], s, FaceTime::now, dt, 1, edges[s], counters, scratch);
     }
   }
   /// Calls f(index, change of its contents per volume and time) for all cells at least `away` from the edges.

@@ -77,7 +77,7 @@ TYPED_TEST(Values, EveryFaceFindsItsValues) {
   Account<dim> edges;
   for (int s = 0; s < p.state.mesh.local(); ++s) {
     const Scratch::Frame frame(scratch);
-    update_block(p.state, p.state.bodies[0], s, 1e-9, 1, edges, p.counters, scratch);
+    update_block(p.state, p.state.bodies[0], s, FaceTime::now, 1e-9, 1, edges, p.counters, scratch);
   }
   EXPECT_EQ(p.counters.faces_without_value, 0);
   EXPECT_EQ(p.counters.first_order_faces, 0);

@@ -1,0 +1,203 @@
+#include "dynamics/block_half_step.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <variant>
+
+#include "dynamics/flux.hpp"
+#include "dynamics/half_step.hpp"
+#include "dynamics/plastic_return.hpp"
+
+namespace recoil::detail {
+
+namespace {
+
+/// Reads cells of the window, and their central differences.
+template <int Dim>
+struct Reader {
+  const double* primitive;
+  const double* impedance;
+  const double* open;  // 1 where a cell has a value, 0 where not; null: all have
+  std::size_t wide;
+  double per_dx;  // 1/(2 dx)
+  double shear;
+
+  [[gnu::always_inline]] Primitives<Dim> at(std::ptrdiff_t k) const {
+    Primitives<Dim> w;
+    for (std::size_t c = 0; c < w.size(); ++c) w[c] = primitive[c * wide + k];
+    return w;
+  }
+  /// One-sided where one of the neighbours has no value, 0 where both have none or the cell itself has none.
+  [[gnu::always_inline]] Primitives<Dim> slope(std::ptrdiff_t k, std::ptrdiff_t step) const {
+    double low = per_dx, high = per_dx;
+    if (open) {
+      const double a = open[k - step], b = open[k + step], both = a + b;
+      const double each = open[k] * per_dx * 2 / (both > 0 ? both : 1.0);
+      low = a * each;
+      high = b * each;
+    }
+    Primitives<Dim> s;
+    for (std::size_t c = 0; c < s.size(); ++c) {
+      const double here = primitive[c * wide + k];
+      s[c] = low * (here - primitive[c * wide + k - step]) + high * (primitive[c * wide + k + step] - here);
+    }
+    return s;
+  }
+  [[gnu::always_inline]] Response response(std::ptrdiff_t k, const double* loading) const {
+    const double z = impedance[k];
+    return {z * z / primitive[k] - 4.0 / 3 * shear, shear, loading[k]};
+  }
+};
+
+template <int Dim>
+Reader<Dim> reader(const Work<Dim>& w, double g) {
+  return {w.primitive, w.impedance, w.open, w.wide, 0.5 / w.grid.dx, g};
+}
+
+/// The rows of the cells whose face values move: the block's own and those beside them.
+template <int Dim, class F>
+void for_each_row(const Work<Dim>& w, F&& f) {
+  Box<Dim> rows = w.cells.grown(1);
+  const int width = rows.extent(0);
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](const Index<Dim>& r) { f(r, static_cast<std::ptrdiff_t>(w.window.at(r)), width); });
+}
+
+/// 1/|S| of cells at yield that load on, else 0.
+template <int Dim, class StrengthModel, class EosModel>
+void find_loading(const StrengthModel& strength, const EosModel& eos, const TemperatureLaw& law,
+                  Work<Dim>& w) {
+  using C = Components<Dim>;
+  const Reader<Dim> read = reader(w, strength.shear_modulus);
+  for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
+    double* loading = w.ahead.loading + first;
+#pragma omp simd
+    for (int i = 0; i < width; ++i) {
+      const auto v = read.at(first + i);
+      double working = 0;
+      for_each_axis<Dim>(
+          [&](auto d) { working += working_along<Dim, d>(v, read.slope(first + i, w.window.stride(d))); });
+      loading[i] = working;
+    }
+    for (int i = 0; i < width; ++i) {
+      const double working = loading[i];
+      loading[i] = 0;
+      if (!(working > 0)) continue;
+      const auto v = read.at(first + i);
+      const double square = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
+      double e = eos.energy(v[C::rho], v[C::p]);
+      if constexpr (EosModel::barotropic) e += v[C::extra];
+      const double yield =
+          strength.yield(std::max(v[C::ep], 0.0), 0, law(v[C::rho], e, v[C::temperature_rise]));
+      if (square > 0 && square >= at_yield * yield * yield) loading[i] = std::sqrt(1.5 / square);
+    }
+  });
+}
+
+/// What the rings' widening does in row r, where axisymmetric.
+[[gnu::always_inline]] inline void widen(const Work<2>& w, const Index<2>& r, int i, const Reader<2>& read,
+                                         std::ptrdiff_t k, const Primitives<2>& v, Primitives<2>& rate) {
+  using C = Components<2>;
+  // On the axis u_r/r is du_r/dr, and what the hoop stress does to the velocity vanishes: divided by dx/2
+  // noise would grow there.
+  const bool on_axis = r[0] + i == 0 || r[0] + i == -1;
+  const double radius = std::max(std::abs(w.grid.centre(Index<2>{{r[0] + i, r[1]}})[0]), 0.5 * w.grid.dx);
+  const double next = w.primitive[C::u * w.wide + static_cast<std::size_t>(r[0] + i < 0 ? k - 1 : k + 1)];
+  const double widening = on_axis ? 0.5 * (v[C::u] + next) / w.grid.dx : v[C::u] / radius;
+  const double sign = r[0] + i < 0 ? -1 : 1;
+  add_widening(v, sign * widening, on_axis ? 0.0 : sign / radius, read.response(k, w.ahead.loading), rate);
+}
+
+/// The changes of half a step by one axis.
+template <int Dim, int Axis>
+void find_change(double g, double half, Work<Dim>& w) {
+  const Reader<Dim> read = reader(w, g);
+  const std::ptrdiff_t step = w.window.stride(Axis);
+  double* change = w.ahead.change[Axis];
+  for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
+#pragma omp simd
+    for (int i = 0; i < width; ++i) {
+      const std::ptrdiff_t k = first + i;
+      const auto v = read.at(k);
+      const auto rate = rate_along<Dim, Axis>(v, read.slope(k, step), v[Components<Dim>::u + Axis],
+                                              read.response(k, w.ahead.loading));
+      for (std::size_t c = 0; c < rate.size(); ++c) change[c * w.wide + k] = half * rate[c];
+    }
+  });
+}
+
+/// The changes of half a step by the widening of rings.
+void find_ring_change(double g, double half, Work<2>& w) {
+  const Reader<2> read = reader(w, g);
+  for_each_row(w, [&](const Index<2>& r, std::ptrdiff_t first, int width) {
+    for (int i = 0; i < width; ++i) {
+      const std::ptrdiff_t k = first + i;
+      Primitives<2> rate{};
+      if (!w.open || w.open[k] != 0) widen(w, r, i, read, k, read.at(k), rate);
+      for (std::size_t c = 0; c < rate.size(); ++c) w.ahead.change[2][c * w.wide + k] = half * rate[c];
+    }
+  });
+}
+
+template <int Dim>
+void find_open(Work<Dim>& w, Scratch& scratch) {
+  if (!w.role) return;
+  w.open = scratch.take<double>(w.wide);
+#pragma omp simd
+  for (std::size_t k = 0; k < w.wide; ++k) w.open[k] = (w.role[k] & valued) != 0 ? 1.0 : 0.0;
+}
+
+}  // namespace
+
+template <int Dim>
+void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& w, Scratch& scratch) {
+  const double g = shear_modulus(body.material);
+  const std::size_t n = w.wide * Components<Dim>::primitives + vector_length;
+  w.ahead.dt = dt;
+  w.ahead.per_dx = dt / w.grid.dx;
+  w.ahead.loading = scratch.take_filled<double>(w.wide + vector_length, 0);
+  find_open(w, scratch);
+  if (has_strength(body.material.strength))
+    std::visit(
+        [&](const auto& strength, const auto& eos) { find_loading(strength, eos, body.temperature, w); },
+        body.material.strength, body.material.eos);
+  for_each_axis<Dim>([&](auto axis) {
+    w.ahead.change[axis] = scratch.take<double>(n);
+    find_change<Dim, axis>(g, 0.5 * dt, w);
+  });
+  if constexpr (Dim == 2)
+    if (w.grid.axisymmetric) {
+      w.ahead.change[2] = scratch.take<double>(n);
+      find_ring_change(g, 0.5 * dt, w);
+    }
+}
+
+template <int Dim>
+void move_to_midstep(Work<Dim>& w) {
+  using C = Components<Dim>;
+  Box<Dim> rows = w.cells;
+  const int width = rows.extent(0);
+  rows.hi[0] = rows.lo[0] + 1;
+  for (const double* change : w.ahead.change) {
+    if (!change) continue;
+    for_each(rows, [&](const Index<Dim>& r) {
+      for (std::size_t c = 0; c < C::primitives; ++c) {
+        const std::size_t first = c * w.wide + static_cast<std::size_t>(w.window.at(r));
+#pragma omp simd
+        for (int i = 0; i < width; ++i) w.primitive[first + i] += change[first + i];
+      }
+    });
+  }
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                      \
+  template void find_half_step<Dim>(const Body<Dim>&, double, Work<Dim>&, Scratch&); \
+  template void move_to_midstep<Dim>(Work<Dim>&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil::detail

@@ -1,0 +1,282 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "dynamics/face_values.hpp"
+#include "dynamics/half_step.hpp"
+#include "dynamics/plastic_return.hpp"
+
+/// The values of cells at their faces in the middle of a step of one stage (theory: one stage a step).
+namespace recoil::detail {
+
+/// In 1-D cells that yield stay with their waves, at the speed of the plastic tangent: with the whole step
+/// along the one axis that keeps the front of a plastic shock steep and quiet behind. In more dimensions,
+/// where a step is shared between the axes, elastic impedances with plastic speeds would stiffen a bar; there
+/// such cells move by their own differences.
+template <int Dim>
+inline constexpr bool yields_by_waves = Dim == 1;
+
+/// Mean over a step of what crosses a face out of a cell: a parabola with the values `near` the face and
+/// `far` from it and the mean `mean`, moved towards the face by the part `passed` of the cell (Colella &
+/// Woodward 1984).
+[[gnu::always_inline]] inline double mean_leaving(double near, double far, double mean, double passed) {
+  const double bulge = 6 * (mean - 0.5 * (near + far));
+  return near - 0.5 * passed * ((near - far) - (1 - 2.0 / 3 * passed) * bulge);
+}
+
+[[gnu::always_inline]] inline double part_passed(double speed) {
+  return speed > 0 ? (speed < 1 ? speed : 1.0) : 0.0;
+}
+
+/// How far the waves of a row of cells move in a step, in cells: out of the high face and out of the low one.
+struct Passed {
+  alignas(64) double high[row_room], low[row_room];
+};
+
+/// `speed(i)` [cells per step] of the waves to both sides, `ride(i)` of the matter.
+template <class Speed, class Ride>
+[[gnu::always_inline]] inline void find_passed(int count, const Speed& speed, const Ride& ride, Passed& out) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double c = speed(i), u = ride(i);
+    out.high[i] = part_passed(c + u);
+    out.low[i] = part_passed(c - u);
+  }
+}
+
+/// What rides with the matter: both ends, where it flows out through them.
+inline void move_riding(int count, const Passed& passed, const double* mean, double* low, double* high) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double l = low[i], h = high[i];
+    high[i] = mean_leaving(h, l, mean[i], passed.high[i]);
+    low[i] = mean_leaving(l, h, mean[i], passed.low[i]);
+  }
+}
+
+/// The waves stress -+ Z u of a row: stress - Z u runs up the axis, stress + Z u down it; each end gets the
+/// one that leaves the cell there.
+template <class Impedance>
+[[gnu::always_inline]] inline void move_waves(int count, const Passed& passed, const Impedance& impedance,
+                                              const double* stress, const double* u, double* stress_low,
+                                              double* stress_high, double* u_low, double* u_high) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double z = impedance(i), half = 0.5 / z;
+    const double sl = stress_low[i], sh = stress_high[i], ul = z * u_low[i], uh = z * u_high[i];
+    const double up_mean = stress[i] - z * u[i], down_mean = stress[i] + z * u[i];
+    const double up = mean_leaving(sh - uh, sl - ul, up_mean, passed.high[i]), kept_down = sh + uh;
+    const double down = mean_leaving(sl + ul, sh + uh, down_mean, passed.low[i]), kept_up = sl - ul;
+    stress_high[i] = 0.5 * (kept_down + up);
+    u_high[i] = (kept_down - up) * half;
+    stress_low[i] = 0.5 * (down + kept_up);
+    u_low[i] = (down - kept_up) * half;
+  }
+}
+
+/// Density and deviator at one end follow the stress `to` from what has ridden there, `stress`, along the
+/// isentrope: d rho = -d sigma/c^2, dS_nn = (4/3 G/(rho c_L^2)) d sigma, 0 where the cell yields; p follows
+/// from the two. `speed` c(i) [m/s] of the waves.
+template <int Dim, int Axis, class Speed>
+[[gnu::always_inline]] inline void follow_stress(int count, double g, const double* rho_mean,
+                                                 const double* loading, const Speed& speed,
+                                                 const double* ridden, FaceValues<Dim>& w, int to) {
+  using C = Components<Dim>;
+  double* rho = w.value[C::rho] + to;
+  const double* stress = w.stress + to;
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double c = speed(i), strain = (stress[i] - ridden[i]) / (rho_mean[i] * c * c);
+    const double stiffness = loading[i] > 0 ? 0.0 : g;
+    rho[i] -= rho_mean[i] * strain;
+    for (int d = 0; d < Dim; ++d) {
+      const int c = C::stress(d, d);
+      if (c >= 0) w.value[C::s + c][i + to] += (d == Axis ? 4.0 / 3 : -2.0 / 3) * stiffness * strain;
+    }
+  }
+}
+
+/// The values of one row of cells at both faces: waves averaged over the step.
+template <int Dim, int Axis, bool Shear, class EosModel>
+void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
+  using C = Components<Dim>;
+  const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
+  const double *rho = of(C::rho), *u = of(C::u + Axis), *z = in.impedance + in.first,
+               *stress = in.stress + in.first;
+  const double per_dx = in.ahead->per_dx;
+  Passed passed;
+  const auto ride = [=](int i) { return per_dx * u[i]; };
+  find_passed(
+      in.count, [](int) { return 0.0; }, ride, passed);
+  const auto plain = [&](int c) {
+    move_riding(in.count, passed, of(c), low.value[c] + to, high.value[c] + to);
+  };
+  plain(C::rho);
+  const bool only_normal = !Shear;
+  for (int c = C::s; c < C::contents; ++c) {
+    bool sheared = false;
+    for (int t = 0; t < Dim; ++t) sheared = sheared || (t != Axis && c == C::s + C::stress(Axis, t));
+    if (only_normal || !sheared) plain(c);
+  }
+  if constexpr (EosModel::barotropic) plain(C::extra);
+  if constexpr (!Shear)
+    for (int t = 0; t < Dim; ++t)
+      if (t != Axis) plain(C::u + t);
+
+  alignas(64) double ridden_low[row_room], ridden_high[row_room];
+#pragma omp simd
+  for (int i = 0; i < in.count; ++i) {
+    const double l = low.stress[i + to], h = high.stress[i + to];
+    ridden_high[i] = mean_leaving(h, l, stress[i], passed.high[i]);
+    ridden_low[i] = mean_leaving(l, h, stress[i], passed.low[i]);
+  }
+  const double* loading = in.ahead->loading + in.first;
+  const auto speed = [=](int i) {
+    const double c = z[i] / rho[i];
+    if constexpr (!yields_by_waves<Dim>) return c;
+    return loading[i] > 0 ? std::sqrt(c * c - 4.0 / 3 * g / rho[i]) : c;
+  };
+  find_passed(
+      in.count, [=](int i) { return per_dx * speed(i); }, ride, passed);
+  move_waves(
+      in.count, passed, [z](int i) { return z[i]; }, stress, u, low.stress + to, high.stress + to,
+      low.value[C::u + Axis] + to, high.value[C::u + Axis] + to);
+  follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_low, low, to);
+  follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_high, high, to);
+
+  // Shear waves are slow, and half a step of them by the same central differences as along the other axes
+  // leaves no stress in a body that turns: limited differences would brake it, by a torque of G times what
+  // they miss.
+  if constexpr (Shear && Dim > 1)
+    for (int t = 0; t < Dim; ++t) {
+      if (t == Axis) continue;
+      for (const int c : {C::u + t, C::s + C::stress(Axis, t)}) {
+        const double* change = in.ahead->change[Axis] + c * in.cells + in.first;
+        double *l = low.value[c] + to, *h = high.value[c] + to;
+#pragma omp simd
+        for (int i = 0; i < in.count; ++i) {
+          l[i] += change[i];
+          h[i] += change[i];
+        }
+      }
+    }
+}
+
+/// One cell of a row that yields and goes on loading: both ends move by the cell's own differences with the
+/// plastic tangent. `low` and `high` hold the ends of the start of the step, and get those of the middle.
+template <int Dim, int Axis>
+[[gnu::always_inline]] inline void move_yielding(double g, const Row<Dim>& in, int i, double dx_over,
+                                                 Primitives<Dim>& low, Primitives<Dim>& high) {
+  using C = Components<Dim>;
+  const std::ptrdiff_t k = in.first + i;
+  Primitives<Dim> w, slope;
+  for (std::size_t c = 0; c < w.size(); ++c) {
+    w[c] = in.primitive[c * in.cells + k];
+    slope[c] = high[c] - low[c];
+  }
+  const double z = in.impedance[k];
+  const Response m{z * z / w[C::rho] - 4.0 / 3 * g, g, in.ahead->loading[k]};
+  const auto rate = rate_along<Dim, Axis>(w, slope, w[C::u + Axis], m);
+  for (std::size_t c = 0; c < w.size(); ++c) {
+    low[c] += dx_over * rate[c];
+    high[c] += dx_over * rate[c];
+  }
+}
+
+/// Takes the ends of one cell out of a row, p from the stress.
+template <int Dim, int Axis>
+[[gnu::always_inline]] inline Primitives<Dim> end_of(const FaceValues<Dim>& w, int at) {
+  using C = Components<Dim>;
+  Primitives<Dim> v;
+  for (std::size_t c = 0; c < v.size(); ++c) v[c] = w.value[c][at];
+  v[C::p] = deviator<Dim>(v, Axis, Axis) - w.stress[at];
+  return v;
+}
+
+/// f(change) for what half a step by each of the other axes changes, and by the widening of rings.
+template <int Axis, class F>
+[[gnu::always_inline]] inline void for_each_transverse(const HalfStep& ahead, F&& f) {
+  for (std::size_t d = 0; d < ahead.change.size(); ++d)
+    if (d != Axis && ahead.change[d]) f(ahead.change[d]);
+}
+
+/// Adds what the other axes change, and puts an end of one cell back into its row. The deviator of a cell
+/// that yields does not grow beyond that of its average.
+template <int Dim, int Axis>
+[[gnu::always_inline]] inline void put_end(const Row<Dim>& in, int i, bool yields, Primitives<Dim> v,
+                                           FaceValues<Dim>& w, int at) {
+  using C = Components<Dim>;
+  const std::ptrdiff_t k = in.first + i;
+  for_each_transverse<Axis>(*in.ahead, [&](const double* change) {
+    for (std::size_t c = 0; c < v.size(); ++c) v[c] += change[c * in.cells + k];
+  });
+  if (yields) {
+    const double own = equivalent_stress_squared<Dim>(in.primitive + C::s * in.cells + k, in.cells),
+                 end = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
+    if (end > own) {
+      const double scale = std::sqrt(own / end);
+      for (int c = C::s; c < C::ep; ++c) v[c] *= scale;
+    }
+  }
+  for (std::size_t c = 0; c < v.size(); ++c) w.value[c][at] = v[c];
+  w.stress[at] = deviator<Dim>(v, Axis, Axis) - v[C::p];
+}
+
+/// Adds what half a step by the other axes changes to a row of values.
+template <int Dim, int Axis>
+void add_transverse(const Row<Dim>& in, int to, FaceValues<Dim>& w) {
+  using C = Components<Dim>;
+  for_each_transverse<Axis>(*in.ahead, [&](const double* change) {
+    const auto of = [&](std::size_t c) { return change + c * in.cells + in.first; };
+    for (std::size_t c = 0; c < C::primitives; ++c) {
+      if (c == C::p) continue;
+      const double* t = of(c);
+      double* v = w.value[c] + to;
+#pragma omp simd
+      for (int i = 0; i < in.count; ++i) v[i] += t[i];
+    }
+    const double* p = of(C::p);
+    double* stress = w.stress + to;
+    if constexpr (Dim == 3 && Axis == 2) {
+      const double *xx = of(C::s), *yy = of(C::s + 1);
+#pragma omp simd
+      for (int i = 0; i < in.count; ++i) stress[i] -= xx[i] + yy[i] + p[i];
+    } else {
+      const double* s = of(C::s + C::stress(Axis, Axis));
+#pragma omp simd
+      for (int i = 0; i < in.count; ++i) stress[i] += s[i] - p[i];
+    }
+  });
+}
+
+/// Moves the values of a row of cells at their low and high faces, written from place `to` on, from the
+/// start of the step to its middle.
+template <int Dim, int Axis, bool Shear, class EosModel>
+void move_half_step(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
+  const double* loading = in.ahead->loading + in.first;
+  struct Ends {
+    Primitives<Dim> low, high;
+    int cell;
+  };
+  std::array<Ends, row_room> yielding;
+  int n = 0;
+  if constexpr (Shear && !yields_by_waves<Dim>)
+    for (int i = 0; i < in.count; ++i)
+      if (loading[i] > 0)
+        yielding[n++] = {end_of<Dim, Axis>(low, i + to), end_of<Dim, Axis>(high, i + to), i};
+  if (n < in.count) {
+    move_by_waves<Dim, Axis, Shear, EosModel>(g, in, to, low, high);
+    add_transverse<Dim, Axis>(in, to, low);
+    add_transverse<Dim, Axis>(in, to, high);
+  }
+  for (int k = 0; k < n; ++k) {
+    Ends& e = yielding[k];
+    move_yielding<Dim, Axis>(g, in, e.cell, 0.5 * in.ahead->per_dx, e.low, e.high);
+    put_end<Dim, Axis>(in, e.cell, true, e.low, low, e.cell + to);
+    put_end<Dim, Axis>(in, e.cell, true, e.high, high, e.cell + to);
+  }
+}
+
+}  // namespace recoil::detail

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+#include "core/vec.hpp"
+#include "field/components.hpp"
+
+namespace recoil {
+
+/// Of the squared yield stress: from here on a state that loads yields.
+inline constexpr double at_yield = 0.96;
+
+/// What the rates of a state need to know of its material and of whether it yields.
+struct Response {
+  double bulk = 0;     // rho c_b^2 [Pa]
+  double shear = 0;    // G [Pa]
+  double loading = 0;  // 1/|S| where the state is at yield and goes on loading, 0 where it is elastic [1/Pa]
+};
+
+/// S_ij of a state or of a difference, S_zz in 3-D from the trace.
+template <int Dim, class Values>
+[[gnu::always_inline]] constexpr double deviator(const Values& w, int i, int j) {
+  using C = Components<Dim>;
+  const int c = C::stress(i, j);
+  return c >= 0 ? w[C::s + c] : -(w[C::s] + w[C::s + 1]);
+}
+
+/// Rates of the primitives at a fixed place in the frame of `speed` by their derivatives along one axis:
+/// -(u_a - speed) dw/dx_a and what the gradient does,
+///   rho_t = -rho du_a/dx_a, u_i,t = (dS_ia/dx_a - delta_ia dp/dx_a)/rho, p_t = -rho c_b^2 du_a/dx_a,
+///   S_t = 2 G dev D + W S - S W, less 2 G n (n:D) with n = S/|S| where the state yields.
+/// Growth of plastic strain and temperature is left to the return to yield.
+/// @param slope d/dx_a of all primitives. @param ride u_a - speed [m/s].
+template <int Dim, int a>
+[[gnu::always_inline]] inline Primitives<Dim> rate_along(const Primitives<Dim>& w,
+                                                         const Primitives<Dim>& slope, double ride,
+                                                         const Response& m) {
+  using C = Components<Dim>;
+  Primitives<Dim> r;
+  for (std::size_t c = 0; c < r.size(); ++c) r[c] = -ride * slope[c];
+  const double stretch = slope[C::u + a], per_rho = 1 / w[C::rho];
+  r[C::rho] -= w[C::rho] * stretch;
+  r[C::p] -= m.bulk * stretch;
+  for (int i = 0; i < Dim; ++i)
+    r[C::u + i] += (deviator<Dim>(slope, i, a) - (i == a ? slope[C::p] : 0.0)) * per_rho;
+  // L has the one column a: D_ij = (delta_ja L_i + delta_ia L_j)/2, W_ij = (delta_ja L_i - delta_ia L_j)/2.
+  double flow = 0;  // n:D/|S|
+  for (int i = 0; i < Dim; ++i) flow += deviator<Dim>(w, i, a) * slope[C::u + i];
+  flow *= m.loading * m.loading;
+  for (int i = 0; i < Dim; ++i)
+    for (int j = i; j < Dim; ++j) {
+      const int c = C::stress(i, j);
+      if (c < 0) continue;
+      const double li = slope[C::u + i], lj = slope[C::u + j];
+      double sum = m.shear * ((j == a ? li : 0.0) + (i == a ? lj : 0.0) - (i == j ? 2.0 / 3 * stretch : 0.0) -
+                              2 * flow * w[C::s + c]);
+      for (int k = 0; k < Dim; ++k) {
+        const double lk = slope[C::u + k];
+        const double w_ik = 0.5 * ((k == a ? li : 0.0) - (i == a ? lk : 0.0)),
+                     w_kj = 0.5 * ((j == a ? lk : 0.0) - (k == a ? lj : 0.0));
+        sum += w_ik * deviator<Dim>(w, k, j) - deviator<Dim>(w, i, k) * w_kj;
+      }
+      r[C::s + c] += sum;
+    }
+  return r;
+}
+
+/// Rates by the widening of rings, where axisymmetric: hoop strain rate D_tt = u_r/r. `turn` 0 leaves out
+/// what the hoop stress does to the velocity (theory: axisymmetry).
+[[gnu::always_inline]] inline void add_widening(const Primitives<2>& w, double widening, double turn,
+                                                const Response& m, Primitives<2>& r) {
+  using C = Components<2>;
+  const double hoop = -(w[C::s] + w[C::s + 1]);
+  const double flow = hoop * widening * m.loading * m.loading;
+  r[C::rho] -= w[C::rho] * widening;
+  r[C::p] -= m.bulk * widening;
+  r[C::u] += turn * (w[C::s] - hoop) / w[C::rho];
+  r[C::u + 1] += turn * w[C::s + 2] / w[C::rho];
+  for (int c = 0; c < 2; ++c) r[C::s + c] -= 2 * m.shear * (widening / 3 + flow * w[C::s + c]);
+  r[C::s + 2] -= 2 * m.shear * flow * w[C::s + 2];
+}
+
+/// S:D of a state by the derivatives along one axis.
+template <int Dim, int Axis>
+[[gnu::always_inline]] inline double working_along(const Primitives<Dim>& w, const Primitives<Dim>& slope) {
+  double sum = 0;
+  for (int i = 0; i < Dim; ++i) sum += deviator<Dim>(w, i, Axis) * slope[Components<Dim>::u + i];
+  return sum;
+}
+
+/// f(constant) for every axis, its number as a compile-time constant.
+template <int Dim, class F>
+[[gnu::always_inline]] constexpr void for_each_axis(F&& f) {
+  f(std::integral_constant<int, 0>{});
+  if constexpr (Dim > 1) f(std::integral_constant<int, 1>{});
+  if constexpr (Dim > 2) f(std::integral_constant<int, 2>{});
+}
+
+}  // namespace recoil
