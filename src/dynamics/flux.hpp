@@ -70,6 +70,20 @@ inline void reconstruct_plain(const double* q, std::ptrdiff_t step, int count, d
   }
 }
 
+/// Draws both face values of a cell towards its own, by the same part, until neither of a quantity that
+/// cannot be negative is (Zhang & Shu, J. Comput. Phys. 229 (2010) 3091). Cells without a negative face value
+/// keep their bits. @param q of the cells, adjacent in memory.
+inline void keep_positive(const double* q, int count, double* low, double* high) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double own = q[i] > 0 ? q[i] : 0.0, l = low[i], h = high[i], least = l < h ? l : h;
+    const double part = own / (own - least), drawn_l = own + part * (l - own),
+                 drawn_h = own + part * (h - own);
+    low[i] = least < 0 ? (drawn_l > 0 ? drawn_l : 0.0) : l;
+    high[i] = least < 0 ? (drawn_h > 0 ? drawn_h : 0.0) : h;
+  }
+}
+
 /// WENO5-Z of the characteristic-like stress + Z u and stress - Z u with the cell's own Z; then back to
 /// stress and u. `impedance(i)`: of cell i.
 template <class Impedance>
@@ -116,6 +130,8 @@ void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, 
   plain(C::rho, 1e-6 * eos.rho0 * eos.rho0);
   plain(C::ep, 1e-12);
   plain(C::temperature_rise, 1e-6);
+  for (const int c : {C::ep, C::temperature_rise})
+    detail::keep_positive(of(c), in.count, low.value[c] + to, high.value[c] + to);
   if constexpr (EosModel::barotropic) plain(C::extra, 1e-2);
 
   const double* z = in.impedance + in.first;
