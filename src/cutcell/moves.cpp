@@ -199,6 +199,19 @@ Transfer<Dim> back_into_bounds(const MovesView<Dim>& p, const Index<Dim>& i) {
   return t;
 }
 
+/// As add_scaled(), but of what cannot fall below zero a cell gives at most an equal share of what it has
+/// across each of its faces: volume may leave it in the state of the cell that takes it.
+template <int Dim>
+void add_given(const MovesView<Dim>& p, const Index<Dim>& giver, const Contents<Dim>& q, double factor,
+               Contents<Dim>& to) {
+  add_scaled<Dim>(to, q, factor);
+  const Contents<Dim> has = p.contents(giver);
+  for (const std::size_t c : bounded<Dim>) {
+    const double most = std::max(has[c], 0.0) / (2 * Dim), moved = factor * q[c];
+    if (std::abs(moved) > most) to[c] += std::copysign(most, factor) - moved;
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -220,7 +233,9 @@ void exchange_along_surface(const State<Dim>& state, Body<Dim>& body, int slot, 
         if (flow == 0) continue;
         changed = true;
         u.volume += flow;
-        add_scaled<Dim>(u.contents, p.contents(source), flow / p.volume[p.window.at(source)]);
+        Index<Dim> giver = low;
+        if ((flow > 0) == (side == 0)) ++giver[d];
+        add_given(p, giver, p.contents(source), flow / p.volume[p.window.at(source)], u.contents);
       }
     if (changed) b.updates.push_back(u);
   }
