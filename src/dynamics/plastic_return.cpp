@@ -24,7 +24,8 @@ void return_cell(const StrengthModel& strength, const TemperatureLaw& law, doubl
   const double ep = q[C::ep * n] / mass > 0 ? q[C::ep * n] / mass : 0.0;
   double kinetic = 0;
   for (std::size_t d = 0; d < Dim; ++d) kinetic += q[(C::u + d) * n] * q[(C::u + d) * n];
-  const double e = (q[C::energy * n] - 0.5 * kinetic / mass) / mass;
+  const double e = (q[C::energy * n] - 0.5 * kinetic / mass) / mass -
+                   distortion_energy(trial2, strength.shear_modulus, rho);
   const double temperature = law(rho, e, q[C::temperature_rise * n] / mass);
   const double trial = std::sqrt(trial2);
   const double increment = plastic_increment(strength, trial, ep, temperature, dt);
