@@ -40,7 +40,7 @@ constexpr std::array counter_limits{
     CounterLimit{"volume-bounds", &L::volume_bounds, "volumes of cut cells passed their bounds"},
     CounterLimit{"volume-bounds-left", &L::volume_bounds_left, "volumes stayed beyond their bounds"},
     CounterLimit{"floored-sound-speeds", &L::floored_sound_speeds, "speeds of sound were floored"},
-    CounterLimit{"cleared-strains", &L::negative_plastic_strain,
+    CounterLimit{"cleared-strains", &L::cleared_strains,
                  "negative plastic strains or heatings were set to zero"}};
 
 /// What a finding about states is called, how a value of it is written, and what limits it.

@@ -45,6 +45,8 @@ Entries<Limits> Limits::keys() {
       part("volume-bounds", &L::volume_bounds, "cut cells whose volume passed its bounds"),
       part("volume-bounds-left", &L::volume_bounds_left, "those that no neighbour could help"),
       part("floored-sound-speeds", &L::floored_sound_speeds, "states with a speed of sound below the least"),
+      part("cleared-strains", &L::cleared_strains,
+           "plastic strains or heatings below zero that were set to zero"),
       part("negative-plastic-strain", &L::negative_plastic_strain, "plastic strain below zero"),
       part("negative-heating", &L::negative_heating,
            "temperature below that of the start; by energy, 3 K below the isentrope through the start"),

@@ -110,7 +110,7 @@ TEST(Validity, EveryOtherFindingHasALimitOfItsOwn) {
     EXPECT_EQ(v.reasons[0].what, name_of(static_cast<StateCheck>(k)));
     EXPECT_EQ(v.reasons[0].body, "target");
   }
-  e.counters = {{"cleared-strains", 100}};
+  e.counters = {{"cleared-strains", 2100}};  // 1.05e-3 of 2e6
   EXPECT_EQ(judged(e).reasons.at(0).what, "cleared-strains");
   e.counters.clear();
   e.bodies[0].thickness = 3.9;
