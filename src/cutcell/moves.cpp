@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "cutcell/leaving.hpp"
 #include "cutcell/moves_view.hpp"
 
 namespace recoil {
@@ -15,7 +16,6 @@ namespace {
 // Parts of a cell (volumes), of a face (areas).
 constexpr double least_state_fill = 0.02;  // below it a fragment's state carries no volume
 constexpr double open_bound = 0.1;         // how far V may be below 0 or above the cell where it is not thin
-constexpr double regular_fill = 0.5;       // from which on a fragment stands in stencils
 constexpr double rounding = 1e-13;         // a smaller excess over a whole cell is none
 constexpr double ample_fill = 0.3;      // a neighbour with less does not lend to a cell that lacks volume ...
 constexpr double ample_times = 4;       // ... nor one with less than so many times what is lacking
@@ -119,61 +119,6 @@ void transfer(const MovesView<Dim>& p, BodyBlock<Dim>& b, const int* senders, in
   });
 }
 
-/// The open edge of the domain beyond which the body lies, as seen from a cell at that edge.
-struct OpenEdge {
-  int axis = -1;  // -1: none
-  bool low = false;
-};
-
-template <int Dim>
-OpenEdge edge_towards_body(const MovesView<Dim>& p, const Index<Dim>& i) {
-  const Vec<Dim> g = phi_normal(p.window.box(), p.phi, i, p.grid.dx);
-  const int axis = main_axis(g);
-  const bool low = g[axis] > 0;
-  const bool at_edge = g[axis] != 0 && i[axis] == (low ? 0 : p.grid.cells[axis] - 1) &&
-                       p.grid.edge[axis][low ? 0 : 1] == Edge::outflow;
-  return at_edge ? OpenEdge{axis, low} : OpenEdge{};
-}
-
-/// Whether a cut cell at an open edge has so little, with so little around, that no stencil reaches it any
-/// more.
-template <int Dim>
-bool is_last_at_edge(const MovesView<Dim>& p, const Index<Dim>& i) {
-  const int k = p.window.at(i);
-  if (p.kind[k] != CellKind::cut || !(p.volume[k] > 0) || p.volume[k] >= regular_fill * p.full(i))
-    return false;
-  bool at_edge = false;
-  for (int d = 0; d < Dim; ++d)
-    at_edge = at_edge || (i[d] == 0 && p.grid.edge[d][0] == Edge::outflow) ||
-              (i[d] == p.grid.cells[d] - 1 && p.grid.edge[d][1] == Edge::outflow);
-  if (!at_edge) return false;
-  Box<Dim> around{i, i};
-  for (int d = 0; d < Dim; ++d) --around.lo[d], around.hi[d] += 2;
-  bool last = true;
-  for_each(around,
-           [&](const Index<Dim>& j) { last = last && p.volume[p.window.at(j)] < regular_fill * p.full(j); });
-  return last;
-}
-
-/// Whether what a cell holds leaves through an open edge: it is beyond the surface of a body beyond that
-/// edge, or the last of one that moves out.
-template <int Dim>
-bool leaves_domain(const MovesView<Dim>& p, const Index<Dim>& i) {
-  const OpenEdge edge = edge_towards_body(p, i);
-  if (edge.axis < 0) return false;
-  if (p.kind[p.window.at(i)] == CellKind::empty) return true;
-  const double momentum = p.contents(i)[Components<Dim>::u + static_cast<std::size_t>(edge.axis)];
-  return edge.low ? momentum < 0 : momentum > 0;
-}
-
-template <int Dim>
-void book(const Contents<Dim>& contents, Account<Dim>& edges) {
-  using C = Components<Dim>;
-  edges.mass += contents[C::rho];
-  edges.energy += contents[C::energy];
-  for (int d = 0; d < Dim; ++d) edges.momentum[d] += contents[C::u + static_cast<std::size_t>(d)];
-}
-
 /// |A_I| of a cut cell, at least least_surface.
 template <int Dim>
 double surface_area(const Grid<Dim>& grid, const CutCell<Dim>& c, const Index<Dim>& i) {
@@ -255,6 +200,19 @@ Transfer<Dim> back_into_bounds(const MovesView<Dim>& p, const Index<Dim>& i) {
   return t;
 }
 
+/// As add_scaled(), but of what cannot fall below zero a cell gives at most an equal share of what it has
+/// across each of its faces: volume may leave it in the state of the cell that takes it.
+template <int Dim>
+void add_given(const MovesView<Dim>& p, const Index<Dim>& giver, const Contents<Dim>& q, double factor,
+               Contents<Dim>& to) {
+  add_scaled<Dim>(to, q, factor);
+  const Contents<Dim> has = p.contents(giver);
+  for (const std::size_t c : bounded<Dim>) {
+    const double most = std::max(has[c], 0.0) / (2 * Dim), moved = factor * q[c];
+    if (std::abs(moved) > most) to[c] += std::copysign(most, factor) - moved;
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -276,7 +234,9 @@ void exchange_along_surface(const State<Dim>& state, Body<Dim>& body, int slot, 
         if (flow == 0) continue;
         changed = true;
         u.volume += flow;
-        add_scaled<Dim>(u.contents, p.contents(source), flow / p.volume[p.window.at(source)]);
+        Index<Dim> giver = low;
+        if ((flow > 0) == (side == 0)) ++giver[d];
+        add_given(p, giver, p.contents(source), flow / p.volume[p.window.at(source)], u.contents);
       }
     if (changed) b.updates.push_back(u);
   }

@@ -89,6 +89,7 @@ void find_loading(const StrengthModel& strength, const EosModel& eos, const Temp
       const double square = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
       double e = eos.energy(v[C::rho], v[C::p]);
       if constexpr (EosModel::barotropic) e += v[C::extra];
+      e -= distortion_energy(square, strength.shear_modulus, v[C::rho]);
       const double yield =
           strength.yield(std::max(v[C::ep], 0.0), 0, law(v[C::rho], e, v[C::temperature_rise]));
       if (square > 0 && square >= at_yield * yield * yield) loading[i] = std::sqrt(1.5 / square);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -98,6 +99,26 @@ template <int Dim, int Axis, class Speed>
   }
 }
 
+/// Shear stress and the velocity along the face take half a step by central differences along this axis too.
+/// Shear waves are slow, and so a body that turns stays free of stress: limited differences would brake it,
+/// by a torque of G times what they miss.
+template <int Dim, int Axis>
+void move_shear(const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
+  using C = Components<Dim>;
+  for (int t = 0; t < Dim; ++t) {
+    if (t == Axis) continue;
+    for (const int c : {C::u + t, C::s + C::stress(Axis, t)}) {
+      const double* change = in.ahead->change[Axis] + c * in.cells + in.first;
+      double *l = low.value[c] + to, *h = high.value[c] + to;
+#pragma omp simd
+      for (int i = 0; i < in.count; ++i) {
+        l[i] += change[i];
+        h[i] += change[i];
+      }
+    }
+  }
+}
+
 /// The values of one row of cells at both faces: waves averaged over the step.
 template <int Dim, int Axis, bool Shear, class EosModel>
 void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
@@ -145,23 +166,6 @@ void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, F
       low.value[C::u + Axis] + to, high.value[C::u + Axis] + to);
   follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_low, low, to);
   follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_high, high, to);
-
-  // Shear waves are slow, and half a step of them by the same central differences as along the other axes
-  // leaves no stress in a body that turns: limited differences would brake it, by a torque of G times what
-  // they miss.
-  if constexpr (Shear && Dim > 1)
-    for (int t = 0; t < Dim; ++t) {
-      if (t == Axis) continue;
-      for (const int c : {C::u + t, C::s + C::stress(Axis, t)}) {
-        const double* change = in.ahead->change[Axis] + c * in.cells + in.first;
-        double *l = low.value[c] + to, *h = high.value[c] + to;
-#pragma omp simd
-        for (int i = 0; i < in.count; ++i) {
-          l[i] += change[i];
-          h[i] += change[i];
-        }
-      }
-    }
 }
 
 /// One cell of a row that yields and goes on loading: both ends move by the cell's own differences with the
@@ -268,6 +272,7 @@ void move_half_step(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, 
         yielding[n++] = {end_of<Dim, Axis>(low, i + to), end_of<Dim, Axis>(high, i + to), i};
   if (n < in.count) {
     move_by_waves<Dim, Axis, Shear, EosModel>(g, in, to, low, high);
+    if constexpr (Shear) move_shear<Dim, Axis>(in, to, low, high);
     add_transverse<Dim, Axis>(in, to, low);
     add_transverse<Dim, Axis>(in, to, high);
   }

@@ -33,6 +33,20 @@ inline void reconstruct_plain(const double* q, std::ptrdiff_t step, int count, d
   }
 }
 
+/// Draws both face values of a cell towards its own, by the same part, until neither of a quantity that
+/// cannot be negative is (Zhang & Shu, J. Comput. Phys. 229 (2010) 3091). Cells without a negative face value
+/// keep their bits. @param q of the cells, adjacent in memory.
+inline void keep_positive(const double* q, int count, double* low, double* high) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double own = q[i] > 0 ? q[i] : 0.0, l = low[i], h = high[i], least = l < h ? l : h;
+    const double part = own / (own - least), drawn_l = own + part * (l - own),
+                 drawn_h = own + part * (h - own);
+    low[i] = least < 0 ? (drawn_l > 0 ? drawn_l : 0.0) : l;
+    high[i] = least < 0 ? (drawn_h > 0 ? drawn_h : 0.0) : h;
+  }
+}
+
 /// WENO5-Z of the characteristic-like stress + Z u and stress - Z u with the cell's own Z; then back to
 /// stress and u. `impedance(i)`: of cell i.
 template <class Impedance>
@@ -60,6 +74,25 @@ template <int Dim, int Axis, class Values>
     return -(w[C::s][i] + w[C::s + 1][i]);
   else
     return w[C::s + C::stress(Axis, Axis)][i];
+}
+
+/// Across axis 2 in 3-d S_zz and S_xx - S_yy are reconstructed, so that a wave along z is one along x turned.
+inline void reconstruct_turned(const Row<3>& in, int to, FaceValues<3>& low, FaceValues<3>& high) {
+  using C = Components<3>;
+  const double *xx = in.primitive + C::s * in.cells + in.first, *yy = xx + in.cells;
+  const std::ptrdiff_t step = in.step;
+  const auto back = [](double sum, double difference, double& s, double& t) {
+    s = 0.5 * (sum + difference);
+    t = 0.5 * (sum - difference);
+  };
+#pragma omp simd
+  for (int i = 0; i < in.count; ++i) {
+    const Ends sum = ends_of([&](std::ptrdiff_t k) { return xx[i + k] + yy[i + k]; }, step, stress_scale);
+    const Ends difference =
+        ends_of([&](std::ptrdiff_t k) { return xx[i + k] - yy[i + k]; }, step, stress_scale);
+    back(sum.low, difference.low, low.value[C::s][i + to], low.value[C::s + 1][i + to]);
+    back(sum.high, difference.high, high.value[C::s][i + to], high.value[C::s + 1][i + to]);
+  }
 }
 
 }  // namespace detail
@@ -103,26 +136,10 @@ void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, 
     const bool from_trace = Dim == 3 && Axis == 2 && c < C::s + 2;
     if (!(Shear && sheared) && !from_trace) plain(c, detail::stress_scale);
   }
-  // Across axis 2 in 3-d S_zz and S_xx - S_yy are reconstructed, so that a wave along z is one along x
-  // turned.
-  if constexpr (Dim == 3 && Axis == 2) {
-    const double *xx = of(C::s), *yy = of(C::s + 1);
-    const std::ptrdiff_t step = in.step;
-    const auto back = [](double sum, double difference, double& s, double& t) {
-      s = 0.5 * (sum + difference);
-      t = 0.5 * (sum - difference);
-    };
-#pragma omp simd
-    for (int i = 0; i < in.count; ++i) {
-      const Ends sum = detail::ends_of([&](std::ptrdiff_t k) { return xx[i + k] + yy[i + k]; }, step,
-                                       detail::stress_scale);
-      const Ends difference = detail::ends_of([&](std::ptrdiff_t k) { return xx[i + k] - yy[i + k]; }, step,
-                                              detail::stress_scale);
-      back(sum.low, difference.low, low.value[C::s][i + to], low.value[C::s + 1][i + to]);
-      back(sum.high, difference.high, high.value[C::s][i + to], high.value[C::s + 1][i + to]);
-    }
-  }
+  if constexpr (Dim == 3 && Axis == 2) detail::reconstruct_turned(in, to, low, high);
   if (in.ahead) detail::move_half_step<Dim, Axis, Shear, EosModel>(shear_modulus, in, to, low, high);
+  for (const int c : {C::ep, C::temperature_rise})
+    detail::keep_positive(of(c), in.count, low.value[c] + to, high.value[c] + to);
 }
 
 namespace detail {

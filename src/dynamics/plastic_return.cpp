@@ -11,6 +11,8 @@ namespace recoil {
 
 namespace {
 
+constexpr double least_strain = 1e-6, least_heat = 1e-3;  // 1, K: what is nearer to zero is not counted
+
 /// One cell: contents q (distance n between components) of a fragment of volume v.
 template <int Dim, class StrengthModel>
 void return_cell(const StrengthModel& strength, const TemperatureLaw& law, double* q, std::size_t n, double v,
@@ -22,7 +24,8 @@ void return_cell(const StrengthModel& strength, const TemperatureLaw& law, doubl
   const double ep = q[C::ep * n] / mass > 0 ? q[C::ep * n] / mass : 0.0;
   double kinetic = 0;
   for (std::size_t d = 0; d < Dim; ++d) kinetic += q[(C::u + d) * n] * q[(C::u + d) * n];
-  const double e = (q[C::energy * n] - 0.5 * kinetic / mass) / mass;
+  const double e = (q[C::energy * n] - 0.5 * kinetic / mass) / mass -
+                   distortion_energy(trial2, strength.shear_modulus, rho);
   const double temperature = law(rho, e, q[C::temperature_rise * n] / mass);
   const double trial = std::sqrt(trial2);
   const double increment = plastic_increment(strength, trial, ep, temperature, dt);
@@ -54,6 +57,35 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
 }
 
 template <int Dim>
+std::int64_t clear_negative_strain(const State<Dim>& state, Body<Dim>& body, int slot) {
+  using C = Components<Dim>;
+  BodyBlock<Dim>& b = body.at(slot);
+  const Box<Dim> layout = state.grid().layout();
+  const auto n = static_cast<std::size_t>(layout.size());
+  Box<Dim> rows = b.reach;
+  const int width = rows.extent(0);
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  std::int64_t count = 0;
+  for_each(rows, [&](const Index<Dim>& i) {
+    const auto first = static_cast<std::size_t>(layout.at(i - state.mesh.block(slot).cells.lo));
+    double* const mass = b.contents.data() + C::rho * n + first;
+    double *const strain = b.contents.data() + C::ep * n + first, *const heat = b.contents.data() +
+                                                                                C::temperature_rise * n +
+                                                                                first;
+    int any = 0;
+#pragma omp simd reduction(| : any)
+    for (int k = 0; k < width; ++k) any |= ((strain[k] * mass[k] < 0) | (heat[k] * mass[k] < 0)) ? 1 : 0;
+    for (int k = 0; any != 0 && k < width; ++k) {
+      const double square = mass[k] * mass[k], s = strain[k] * mass[k], h = heat[k] * mass[k];
+      if (s < -least_strain * square || h < -least_heat * square) ++count;
+      if (s < 0) strain[k] = 0;
+      if (h < 0) heat[k] = 0;
+    }
+  });
+  return count;
+}
+
+template <int Dim>
 void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double old_weight) {
   BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> layout = state.grid().layout();
@@ -73,8 +105,9 @@ void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double
   });
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                   \
-  template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double); \
+#define RECOIL_INSTANTIATE(Dim)                                                         \
+  template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double);       \
+  template std::int64_t clear_negative_strain<Dim>(const State<Dim>&, Body<Dim>&, int); \
   template void combine_with_old<Dim>(const State<Dim>&, Body<Dim>&, int, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "state/body.hpp"
 
@@ -11,6 +12,11 @@ namespace recoil {
 /// substage. Energy, momentum and mass do not change: S and ep carry no budget.
 template <int Dim>
 void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt);
+
+/// Sets plastic strain and plastic heating below zero to zero. They carry no budget.
+/// @returns in how many fragments the strain was below -1e-6 or the heating below -1e-3 K.
+template <int Dim>
+std::int64_t clear_negative_strain(const State<Dim>& state, Body<Dim>& body, int slot);
 
 /// The convex combination of a Runge-Kutta stage (Shu & Osher 1988): Q, V = old_weight (Q, V)_old + (1 -
 /// old_weight) (Q, V), in the cells of BodyBlock::reach; exact where nothing has changed, and nothing has

@@ -25,10 +25,12 @@ PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents
   }
   for (std::size_t c = C::stresses; c < p.stress.size(); ++c)
     p.stress[c] = -trace / (Dim == 1 ? 2 : 1) - p.pressure;
-  p.von_mises = std::sqrt(equivalent_stress_squared<Dim>(w.data() + C::s, 1));
+  const double mises2 = equivalent_stress_squared<Dim>(w.data() + C::s, 1);
+  p.von_mises = std::sqrt(mises2);
   p.plastic_strain = w[C::ep];
-  const double energy = contents[C::energy] / contents[C::rho] - 0.5 * dot(p.velocity, p.velocity);
-  p.temperature = body.temperature(p.density, energy, w[C::temperature_rise]);
+  p.thermal_energy = contents[C::energy] / contents[C::rho] - 0.5 * dot(p.velocity, p.velocity) -
+                     distortion_energy(mises2, shear_modulus(body.material), p.density);
+  p.temperature = body.temperature(p.density, p.thermal_energy, w[C::temperature_rise]);
   return p;
 }
 

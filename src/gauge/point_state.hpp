@@ -20,6 +20,7 @@ struct PointState {
   std::array<double, stresses> stress{};       // Pa, positive in tension, in the order of RunUnits::stresses
   double von_mises = 0;                        // Pa
   double plastic_strain = 0, temperature = 0;  // 1, K
+  double thermal_energy = 0;                   // J/kg, internal without that of elastic distortion
 };
 
 /// Of the contents of a volume > 0 with a mass > 0.

@@ -244,10 +244,11 @@ double loading_of(const EosModel& eos, const Body<Dim>& body, const Primitives<D
   if (!(working > 0)) return 0;
   double e = eos.energy(w[C::rho], w[C::p]);
   if constexpr (EosModel::barotropic) e += w[C::extra];
+  const double square = equivalent_stress_squared<Dim>(w.data() + C::s, 1);
+  e -= distortion_energy(square, shear_modulus(body.material), w[C::rho]);
   const double temperature = body.temperature(w[C::rho], e, w[C::temperature_rise]);
   const double yield =
       std::visit([&](const auto& m) { return m.yield(w[C::ep], 0, temperature); }, body.material.strength);
-  const double square = equivalent_stress_squared<Dim>(w.data() + C::s, 1);
   return square > 0 && square >= at_yield * yield * yield ? std::sqrt(1.5 / square) : 0;
 }
 

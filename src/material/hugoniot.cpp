@@ -140,7 +140,9 @@ class Shock {
       const double q = 2 * strength_.shear_modulus * part;
       return q > 0 ? plastic_increment(strength_, q, 0, temperature, 1) : 0.0;
     };
-    s.temperature = law_(s.density, s.energy, 0);
+    const double q = 1.5 * deviator(s);  // of the round before
+    s.temperature =
+        law_(s.density, s.energy - distortion_energy(q * q, strength_.shear_modulus, s.density), 0);
     s.plastic_strain = strain(total, s.temperature);
     if (s.plastic_strain > 0 && law_.thermal().rule == Thermal::Rule::plastic_work)
       heat_along(s, total, strain);

@@ -57,11 +57,12 @@ std::vector<Key> top_keys(bool in_case) {
 
 std::vector<Key> thermal_keys() {
   std::vector<Key> keys = keys_of_model<Thermal>();
-  keys.insert(keys.begin(), {.name = "temperature",
-                             .type = Key::Type::choice,
-                             .default_text = "plastic-work",
-                             .doc = "from plastic work alone, or from the internal energy",
-                             .choices = {"plastic-work", "energy"}});
+  keys.insert(keys.begin(),
+              {.name = "temperature",
+               .type = Key::Type::choice,
+               .default_text = "energy",
+               .doc = "from the internal energy, so that shocks heat, or from plastic work alone",
+               .choices = {"energy", "plastic-work"}});
   return keys;
 }
 
@@ -98,7 +99,11 @@ Thermal read_thermal(const Node& table, Diagnostics& out) {
   const Record record = read_record(table, keys, out);
   Thermal thermal;
   take(thermal, record);
-  if (record.text("temperature") == "energy") thermal.rule = Thermal::Rule::energy;
+  if (record.text("temperature") == "plastic-work") thermal.rule = Thermal::Rule::plastic_work;
+  if (thermal.rule == Thermal::Rule::energy && thermal.taylor_quinney != 1)
+    out.error(table.find("taylor-quinney")->place,
+              "taylor-quinney must be 1 where the temperature follows from the internal energy",
+              "leave it out, or choose temperature = \"plastic-work\"");
   return thermal;
 }
 

@@ -12,11 +12,12 @@
 
 namespace recoil {
 
-/// How the temperature is found. plastic_work: T = T0 + temperature rise, a state variable [K]
-/// that grows by plastic_heating(). energy: from density and internal energy, see TemperatureLaw.
+/// How the temperature is found. energy: from density and internal energy, see TemperatureLaw; all plastic
+/// work heats. plastic_work: T = T0 + temperature rise, a state variable [K] that grows by plastic_heating();
+/// compression and shocks do not heat.
 struct Thermal {
   enum class Rule { plastic_work, energy };
-  Rule rule = Rule::plastic_work;
+  Rule rule = Rule::energy;
   double specific_heat = unset;      // J/(kg K)
   double initial_temperature = 298;  // K, T0
   double taylor_quinney = 1;         // part of the plastic work that heats
@@ -26,7 +27,8 @@ struct Thermal {
     return std::array{
         P{"specific-heat", "J/(kg K)", &Thermal::specific_heat, 1, 2e4, "specific heat"},
         P{"initial-temperature", "K", &Thermal::initial_temperature, 1, 1e4, "temperature at the start"},
-        P{"taylor-quinney", "1", &Thermal::taylor_quinney, 0, 1, "part of the plastic work that heats"}};
+        P{"taylor-quinney", "1", &Thermal::taylor_quinney, 0, 1,
+          "part of the plastic work that heats; 1 with temperature = \"energy\""}};
   }
 };
 
@@ -36,22 +38,37 @@ inline double plastic_heating(const Thermal& thermal, double yield, double dep, 
   return thermal.taylor_quinney * yield * dep / (rho * thermal.specific_heat);
 }
 
-/// The temperature of one material, with the isentrope through the state at rest tabulated once.
+/// Energy of elastic distortion, S:S/(4 G rho) [J/kg], of the equivalent stress squared [Pa2]. It is part of
+/// the internal energy, but no heat. 0 for a fluid.
+inline double distortion_energy(double equivalent_stress_squared, double shear_modulus, double rho) {
+  return shear_modulus > 0 ? equivalent_stress_squared / (6 * shear_modulus * rho) : 0.0;
+}
+
+/// The temperature of one material, with the isentrope through the state at rest tabulated once. e: specific
+/// internal energy without that of elastic distortion [J/kg].
 ///   energy rule, Mie-Grueneisen: T = T0 exp(Gamma0 (1 - rho0/rho)) + (e - e_s(rho))/c_v
 ///   energy rule, linear:         T = T0 + (e - e_cold(rho))/c_v
 class TemperatureLaw {
  public:
   TemperatureLaw() = default;
   TemperatureLaw(const Thermal& thermal, const Eos& eos) : thermal_(thermal) {
-    if (thermal.rule == Thermal::Rule::energy) std::visit([this](const auto& m) { tabulate(m); }, eos);
+    if (density(eos) > 0) std::visit([this](const auto& m) { tabulate(m); }, eos);  // not of a rigid body
   }
 
-  /// Temperature [K] at density rho [kg/m3], specific internal energy e [J/kg] and temperature rise by
-  /// plastic work `heat` [K].
+  /// Temperature [K] at density rho [kg/m3], energy e and temperature rise by plastic work `heat` [K].
   double operator()(double rho, double e, double heat) const {
-    if (thermal_.rule == Thermal::Rule::plastic_work) return thermal_.initial_temperature + heat;
-    return thermal_.initial_temperature * std::exp(gamma0_ * (1 - rho0_ / rho)) +
-           (e - isentrope(rho)) / thermal_.specific_heat;
+    return thermal_.rule == Thermal::Rule::plastic_work ? thermal_.initial_temperature + heat
+                                                        : by_energy(rho, e);
+  }
+
+  /// That of the energy rule, whichever rule the material has.
+  double by_energy(double rho, double e) const {
+    return on_isentrope(rho) + (e - isentrope(rho)) / thermal_.specific_heat;
+  }
+
+  /// Temperature [K] on the isentrope through rest.
+  double on_isentrope(double rho) const {
+    return thermal_.initial_temperature * std::exp(gamma0_ * (1 - rho0_ / rho));
   }
 
   /// e_s [J/kg] on the isentrope through rest: linear between the points of the table, and beyond it.
@@ -72,14 +89,17 @@ class TemperatureLaw {
   }
   void tabulate(const LinearEos& eos) { fill(eos); }  // gamma0_ = 0: the isentrope stays at T0
 
-  /// Integrates de/drho = p/rho^2 from rest both ways by the classical Runge-Kutta rule.
+  /// Integrates de/drho = p/rho^2 from rest both ways by the classical Runge-Kutta rule: from 0.4 rho0 to the
+  /// largest admissible density, at most 4 rho0.
   template <class Model>
   void fill(const Model& eos) {
-    constexpr int below = 2000, above = 4000;
+    constexpr int below = 2000;
     rho0_ = eos.rho0;
-    spacing_ = 0.6 * rho0_ / below;  // the table reaches from 0.4 rho0 to 2.2 rho0
+    spacing_ = 0.6 * rho0_ / below;
     lowest_ = rho0_ - below * spacing_;
-    table_.assign(below + above + 1, 0.0);
+    const double highest = std::min(eos.largest_density(), 4 * rho0_);
+    const int above = static_cast<int>(std::ceil((highest - rho0_) / spacing_));
+    table_.assign(static_cast<std::size_t>(below + above) + 1, 0.0);
     for (int k = below; k < below + above; ++k) advance(eos, k, +1);
     for (int k = below; k > 0; --k) advance(eos, k, -1);
   }

@@ -30,7 +30,8 @@ double size(const Three& a) { return std::sqrt(dot(a, a)); }
 /// One pair under observation. Begins are on trial until they have lasted for the hold time.
 struct Watched {
   std::size_t a = 0, b = 0;
-  double hold = 0;  // s
+  double hold = 0;     // s
+  bool glued = false;  // a force of zero does not part it
   PairStory story;
   double largest_force = 0;
   double silent = never;      // s, end of the last step with force; NaN: there was force in the last step
@@ -48,7 +49,7 @@ struct Watched {
 
   bool presses(const PairSample& s) const {
     const double force = size(s.force);
-    return s.area > 0 && force > 0 && force >= least_force * largest_force;
+    return s.area > 0 && (glued || (force > 0 && force >= least_force * largest_force));
   }
 
   template <class Archive>
@@ -64,6 +65,7 @@ struct EventWatch::Parts {
   std::vector<std::string> names;
   int dim = 1;
   double least_gap = 0;         // m
+  double stand_off = 0;         // m
   std::array<bool, 3> sided{};  // axes along which a body is but half of one
   std::vector<Watched> pairs;
   std::vector<Event> events, news;
@@ -117,7 +119,7 @@ struct EventWatch::Parts {
   double time_of_touch(const Watched& w, double time, double dt, double approach) const {
     const double speed = std::isnan(w.closing) ? approach : w.closing, start = time - dt;
     if (!std::isfinite(w.gap) || !(speed > 0)) return start;
-    return std::clamp(start + w.gap / speed, std::max(start - dt, 0.0), time);
+    return std::clamp(start + (w.gap - stand_off) / speed, std::max(start - dt, 0.0), time);
   }
 
   void press(Watched& w, double time, double dt, const PairSample& s, const std::vector<PairSample>& all,
@@ -239,6 +241,7 @@ EventWatch::EventWatch(std::vector<std::string> names, config::Geometry geometry
   p.names = std::move(names);
   p.dim = config::dimension(geometry);
   p.least_gap = rule.gap;
+  p.stand_off = rule.stand_off;
   p.sided = sided;
   if (geometry == config::Geometry::axisymmetric) p.sided[0] = true;
   const std::size_t n = p.names.size();
@@ -247,6 +250,7 @@ EventWatch::EventWatch(std::vector<std::string> names, config::Geometry geometry
     for (std::size_t b = a + 1; b < n; ++b) {
       Watched w;
       w.a = a, w.b = b, w.hold = rule.hold[p.pairs.size()];
+      w.glued = !rule.glued.empty() && rule.glued[p.pairs.size()];
       w.story.first = p.names[a], w.story.second = p.names[b];
       w.story.made = w.story.opens = w.story.separates = w.story.lift_first = w.story.lift_last = never;
       w.story.closes_again = w.story.opens_again = w.story.restitution = never;

@@ -49,8 +49,10 @@ struct PairStory {
 
 /// From when on a change of contact is believed.
 struct ContactRule {
-  std::vector<double> hold;  ///< s, by pair_number(): so long it must last, or to the end of the run
-  double gap = 0;            ///< m: surfaces farther apart than this everywhere are separate
+  std::vector<double> hold;   ///< s, by pair_number(): so long it must last, or to the end of the run
+  double gap = 0;             ///< m: surfaces farther apart than this everywhere are separate
+  double stand_off = 0;       ///< m: surfaces as near as this touch (scheme of the paper)
+  std::vector<bool> glued{};  ///< by pair_number(), empty: none; such a pair is in contact while it has area
 };
 
 /// A force below this part of the largest so far is none.

@@ -62,11 +62,12 @@ inline std::array<bool, 3> closed_axes(const config::Domain& domain) {
 /// What changes of contact must last: twenty transits of a cell by sound, of the pair's slower body. A gap of
 /// a tenth of a cell is what the scheme keeps between surfaces that touch.
 template <int Dim>
-ContactRule contact_rule(const State<Dim>& state) {
+ContactRule contact_rule(const State<Dim>& state, double stand_off = 0) {
   constexpr double held_transits = 20, open_gap = 0.1;
   const double dx = state.grid().dx;
   ContactRule rule;
   rule.gap = open_gap * dx;
+  rule.stand_off = stand_off;
   for (int a = 0; a < state.count(); ++a)
     for (int b = a + 1; b < state.count(); ++b) {
       double hold = 0;
@@ -74,6 +75,8 @@ ContactRule contact_rule(const State<Dim>& state) {
         if (!state.bodies[m].rigid)
           hold = std::max(hold, held_transits * dx / bulk_sound_speed(state.bodies[m].material));
       rule.hold.push_back(hold);
+      const auto& law = state.contact[pair_number(a, b, state.count())];
+      rule.glued.push_back(law.mode == ContactLaw::Mode::bonded);
     }
   return rule;
 }
@@ -140,7 +143,9 @@ struct Recorder<Dim>::Parts {
         rigid(rigid_bodies(state)),
         sampler(state.count(), sums),
         gauges(c, state, w, make_folder("gauges"), sums),
-        events(names, c.domain.geometry, contact_rule(state), closed_axes(c.domain)),
+        events(names, c.domain.geometry,
+               contact_rule(state, c.method.scheme == "seed" ? c.method.kappa * state.grid().dx : 0.0),
+               closed_axes(c.domain)),
         lift_off(contact_rule(state).hold),
         budget(names, rigid, units.balanced),
         fields(make_folder("fields"), case_name(c), c.output.fields.variables),

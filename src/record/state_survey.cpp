@@ -19,7 +19,8 @@ namespace {
 constexpr double whole_fill = 0.99;  // part of a cell from which on it counts as whole
 constexpr double judged_fill = 0.5;  // part of a cell from which on strain and heat are judged
 constexpr double no_strain = -1e-6;  // plastic strain below it is negative, beyond rounding
-constexpr double no_heat = -1e-3;    // K
+constexpr double no_heat = 1e-3;     // K below the start, by plastic work
+constexpr double noise = 3;          // K below the isentrope: 5 MPa of noise at rest in copper is 0.7 K
 constexpr long recent_steps = 100;
 
 /// Bulk modulus at rest [Pa].
@@ -54,8 +55,16 @@ StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& lim
     : most_fill_(limits.volume_fraction), lines_(state.bodies.size()) {
   for (const Body<Dim>& body : state.bodies) {
     const Material& m = body.material;
-    bears_.push_back(body.rigid ? 0 : limits.largest_tension * bulk_modulus(m));
-    melts_.push_back(infinite);
+    Bounds& b = bounds_.emplace_back();
+    if (body.rigid) continue;
+    const Facts& facts = m.facts;
+    b.tension = std::isnan(facts.spall_strength) ? limits.largest_tension * bulk_modulus(m)
+                                                 : limits.spall_strength * facts.spall_strength;
+    const auto* softening = std::get_if<JohnsonCook>(&m.strength);
+    b.softens = softening != nullptr;
+    b.melting = softening != nullptr                    ? softening->melting_temperature
+                : std::isnan(facts.melting_temperature) ? infinite
+                                                        : facts.melting_temperature;
   }
 }
 
@@ -113,17 +122,25 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
   if (fill < judged_fill) return;
   const PointState<Dim> p = point_state(body, contents_of(b, static_cast<int>(k)), volume);
   note(StateCheck::negative_strain, no_strain - p.plastic_strain, p.plastic_strain, 0);
-  if (body.temperature.thermal().rule == Thermal::Rule::plastic_work) {
-    const double heat = p.temperature - body.temperature.thermal().initial_temperature;
-    note(StateCheck::negative_heat, no_heat - heat, heat, 0);
-  }
+  const TemperatureLaw& law = body.temperature;
+  const bool by_energy = law.thermal().rule == Thermal::Rule::energy;
+  const double coldest = by_energy ? law.on_isentrope(p.density) : law.thermal().initial_temperature;
+  note(StateCheck::negative_heat, coldest - (by_energy ? noise : no_heat) - p.temperature,
+       p.temperature - coldest, 0);
   if (fill < whole_fill) return;
   const double rho0 = density(body.material);
   note(StateCheck::density, std::max(least_density * rho0 - p.density, p.density - largest_density * rho0),
        p.density, p.density > rho0 ? largest_density * rho0 : least_density * rho0);
+  const Bounds& bounds = bounds_[m];
   const double tension = largest_principal(p);
-  note(StateCheck::tension, tension - bears_[m], tension, bears_[m]);
-  note(StateCheck::melting, p.temperature - melts_[m], p.temperature, melts_[m]);
+  note(StateCheck::tension, tension - bounds.tension, tension, bounds.tension);
+  // A model that softens melts by its own temperature; any other state is held against that of its energy.
+  if (bounds.softens && p.temperature >= bounds.melting) {
+    note(StateCheck::molten, p.temperature - bounds.melting, p.temperature, bounds.melting);
+  } else {
+    const double hot = by_energy ? p.temperature : law.by_energy(p.density, p.thermal_energy);
+    note(StateCheck::melting, hot - bounds.melting, hot, bounds.melting);
+  }
 }
 
 template <int Dim>
@@ -217,6 +234,7 @@ std::vector<BodyEvidence> StateSurvey<Dim>::told(const State<Dim>& state,
     const Line& line = lines[m];
     BodyEvidence& e = all.emplace_back();
     e.name = state.bodies[m].name;
+    e.by_energy = state.bodies[m].material.thermal.rule == Thermal::Rule::energy;
     e.cell_steps = e.looked_at = line.cell_steps;
     e.averaged = line.averaged;
     e.averaged_first = line.averaged_first, e.averaged_last = line.averaged_last;

@@ -71,7 +71,13 @@ class StateSurvey {
   void look_at_cell(const State<Dim>& state, int body, int slot, const Index<Dim>& cell, std::size_t k,
                     Line& line) const;
 
-  std::vector<double> bears_, melts_;  // of each body: Pa, K
+  /// What a body's states are held against.
+  struct Bounds {
+    double tension = 0;    // Pa
+    double melting = 0;    // K; infinite: not known
+    bool softens = false;  // the strength model knows the melting temperature
+  };
+  std::vector<Bounds> bounds_;  // of each body
   double most_fill_;
   std::vector<Line> lines_;  // of each body, so far
   long last_ = 0;            // step of the last look

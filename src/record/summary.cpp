@@ -111,6 +111,7 @@ void write_summary(const std::filesystem::path& path, const Summary& s) {
   j["verdict"] = name_of(s.verdict.kind);
   j["reasons"] = reasons_json(s.verdict.reasons);
   j["not_judged"] = s.verdict.notes;
+  j["remarks"] = s.verdict.remarks;
   j["time_us"] = number(s.time * 1e6);
   j["steps"] = s.steps;
   j["cells"] = s.cells;

@@ -39,7 +39,9 @@ constexpr std::array counter_limits{
     CounterLimit{"capped-speeds", &L::capped_speeds, "speeds of surfaces were capped"},
     CounterLimit{"volume-bounds", &L::volume_bounds, "volumes of cut cells passed their bounds"},
     CounterLimit{"volume-bounds-left", &L::volume_bounds_left, "volumes stayed beyond their bounds"},
-    CounterLimit{"floored-sound-speeds", &L::floored_sound_speeds, "speeds of sound were floored"}};
+    CounterLimit{"floored-sound-speeds", &L::floored_sound_speeds, "speeds of sound were floored"},
+    CounterLimit{"cleared-strains", &L::cleared_strains,
+                 "negative plastic strains or heatings were set to zero"}};
 
 /// What a finding about states is called, how a value of it is written, and what limits it.
 struct StateText {
@@ -50,10 +52,12 @@ struct StateText {
 constexpr std::array<StateText, state_checks> state_texts{
     {{"density", "had a density outside of 0.5 to 2.5 of that at rest", "kg/m3", 1, &L::density},
      {"tension", "were under more tension than the material bears", "GPa", 1e-9, &L::tension},
-     {"melting", "were hotter than the melting temperature", "K", 1, &L::melting},
+     {"melting", "were hotter by their energy than the melting temperature, which the model does not know",
+      "K", 1, &L::melting},
      {"negative-plastic-strain", "had a plastic strain below zero", "", 1, &L::negative_plastic_strain},
      {"negative-heating", "were colder than at the start", "K", 1, &L::negative_heating},
-     {"overfilled-cells", "held more matter than there is room", "cells", 1, &L::overfilled_cells}}};
+     {"overfilled-cells", "held more matter than there is room", "cells", 1, &L::overfilled_cells},
+     {"molten", "were molten, and without strength", "K", 1, nullptr}}};
 
 std::string percent(double part) { return fmt::format("{:.2g} %", 100 * part); }
 
@@ -149,20 +153,28 @@ void judge_budgets(const Evidence& e, const config::Limits& limits, Verdict& v) 
     }
 }
 
+const char* text_of(StateCheck check, const BodyEvidence& b) {
+  if (check == StateCheck::negative_heat && b.by_energy)
+    return "were colder than the isentrope through the start";
+  return state_texts[static_cast<std::size_t>(check)].text;
+}
+
 void judge_states(const Evidence& e, const config::Limits& limits, Verdict& v) {
   for (const BodyEvidence& b : e.bodies)
     for (std::size_t k = 0; k < state_checks; ++k) {
       const StateFinding& f = b.states[k];
       const StateText& t = state_texts[k];
       const double part = part_of(static_cast<double>(f.count), b.looked_at);
-      if (!(part > limits.*t.limit)) continue;
-      v.reasons.push_back(
-          {t.name, b.name,
-           fmt::format("{} of the cell states of {} {} ({}, {}; worst {:.4g}{}{} at {}, {:.4g} us)",
-                       percent(part), b.name, t.text, t.name, span_text(f.first, f.last), f.worst * t.factor,
-                       *t.unit != 0 ? " " : "", t.unit, place_text(f.place, e.dimensions),
-                       f.worst_time * 1e6),
-           part, limits.*t.limit, f.first, f.last, coordinates(f.place, e.dimensions)});
+      if (!(part > (t.limit != nullptr ? limits.*t.limit : 0))) continue;
+      const std::string text = fmt::format(
+          "{} of the cell states of {} {} ({}, {}; worst {:.4g}{}{} at {}, {:.4g} us)", percent(part), b.name,
+          text_of(static_cast<StateCheck>(k), b), t.name, span_text(f.first, f.last), f.worst * t.factor,
+          *t.unit != 0 ? " " : "", t.unit, place_text(f.place, e.dimensions), f.worst_time * 1e6);
+      if (t.limit == nullptr)
+        v.remarks.push_back(text);
+      else
+        v.reasons.push_back({t.name, b.name, text, part, limits.*t.limit, f.first, f.last,
+                             coordinates(f.place, e.dimensions)});
     }
 }
 

@@ -12,8 +12,17 @@
 
 namespace recoil {
 
-/// What is looked for in the states of cells. In the order of StateFinding::kind.
-enum class StateCheck { density, tension, melting, negative_strain, negative_heat, overfilled, count };
+/// What is looked for in the states of cells. In the order of StateFinding::kind. `molten` is told only.
+enum class StateCheck {
+  density,
+  tension,
+  melting,
+  negative_strain,
+  negative_heat,
+  overfilled,
+  molten,
+  count
+};
 inline constexpr auto state_checks = static_cast<std::size_t>(StateCheck::count);
 /// Its name in [limits] and in summary.json.
 const char* name_of(StateCheck check);
@@ -37,7 +46,8 @@ struct BodyEvidence {
   double averaged_first = 0, averaged_last = 0;  ///< s
   std::array<double, 3> averaged_place{};        ///< of the last one, m
   std::array<StateFinding, state_checks> states;
-  double thickness = 0;  ///< cells across the thinnest part at the start; 0: not known
+  bool by_energy = false;  ///< its temperature follows from the internal energy
+  double thickness = 0;    ///< cells across the thinnest part at the start; 0: not known
 };
 
 /// All that a verdict rests on.
@@ -66,7 +76,8 @@ struct Verdict {
   enum class Kind { valid, doubtful, stopped };
   Kind kind = Kind::valid;
   std::vector<Reason> reasons;
-  std::vector<std::string> notes;  ///< what was not judged, and why
+  std::vector<std::string> notes;    ///< what was not judged, and why
+  std::vector<std::string> remarks;  ///< what is told without being judged
 };
 const char* name_of(Verdict::Kind kind);
 

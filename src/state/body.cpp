@@ -34,7 +34,8 @@ std::vector<std::pair<const char*, std::int64_t*>> Counters::list() {
           {"volume-bounds", &volume_bounds},
           {"volume-bounds-left", &volume_bounds_left},
           {"floored-sound-speeds", &floored_sound_speeds},
-          {"contacts-lost", &contacts_lost}};
+          {"contacts-lost", &contacts_lost},
+          {"cleared-strains", &cleared_strains}};
 }
 
 template <int Dim>

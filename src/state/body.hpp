@@ -72,7 +72,8 @@ struct Counters {
                real_cells_without_contents = 0, uncovered_cells_without_value = 0, clamped_fit_densities = 0,
                clamped_ghost_densities = 0, averaged_states = 0, wide_neighbourhoods = 0,
                widest_neighbourhoods = 0, unmerged_fragments = 0, lone_fragments_moved = 0, capped_speeds = 0,
-               volume_bounds = 0, volume_bounds_left = 0, floored_sound_speeds = 0, contacts_lost = 0;
+               volume_bounds = 0, volume_bounds_left = 0, floored_sound_speeds = 0, contacts_lost = 0,
+               cleared_strains = 0;
 
   Counters& operator+=(const Counters& b);
   /// Name and count of each, in a fixed order.

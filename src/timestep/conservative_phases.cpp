@@ -5,6 +5,7 @@
 #include "cutcell/moves.hpp"
 #include "cutcell/redistribution.hpp"
 #include "dynamics/block_update.hpp"
+#include "dynamics/plastic_return.hpp"
 #include "interface/fit.hpp"
 #include "interface/walls.hpp"
 #include "levelset/transport.hpp"
@@ -123,6 +124,14 @@ void bound_volumes(StepRun<Dim>& step) {
   apply_updates(step, StepPhase::moves);
 }
 
+template <int Dim>
+void clear_negative_strain(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"clear negative strain", {}, {}, contents};
+  step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    step.counters(slot).cleared_strains += clear_negative_strain(step.state(), body, slot);
+  });
+}
+
 #define RECOIL_INSTANTIATE(Dim)                                          \
   template void find_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
   template void move_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
@@ -132,7 +141,8 @@ void bound_volumes(StepRun<Dim>& step) {
   template void exchange_along_surfaces<Dim>(StepRun<Dim>&);             \
   template void follow_volumes<Dim>(StepRun<Dim>&);                      \
   template void empty_and_fill<Dim>(StepRun<Dim>&);                      \
-  template void bound_volumes<Dim>(StepRun<Dim>&);
+  template void bound_volumes<Dim>(StepRun<Dim>&);                       \
+  template void clear_negative_strain<Dim>(StepRun<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

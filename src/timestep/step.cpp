@@ -45,6 +45,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   empty_and_fill(step);
   bound_volumes(step);
   average_inadmissible_states(step);
+  clear_negative_strain(step);
   update_bands(step);
 
   state.time += dt;

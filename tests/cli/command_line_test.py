@@ -8,7 +8,7 @@ import os
 import struct
 import unittest
 
-from program import COARSE, FLYER, Program, recoil
+from program import COARSE, DATA, FLYER, Program, recoil
 
 
 class Usage(Program):
@@ -206,6 +206,20 @@ class Ranks(Program):
             for file in ("gauges/rear.csv", "gauges/impact.csv", "gauges/flyer.csv", "history.csv", "events.csv"):
                 self.assertTrue(filecmp.cmp(self.folder / "one" / file, self.folder / name / file, shallow=False),
                                 f"{name} {file}")
+
+    def test_the_verdict_does_not_depend_on_the_number_of_processes(self):
+        words = [DATA / "cases" / "discs_2kms" / "case.toml", "--set", "mesh.finest=0.4mm", "--end", "2us",
+                 "--set", "limits.largest-tension=1e-3", "--set", "limits.volume-bounds=0"]
+        told = {}
+        for ranks in ("1", "2", "3"):
+            out = self.folder / ranks
+            self.expect(recoil("run", *words, "-n", ranks, "-o", out), 6, "doubtful: ")
+            summary = json.loads((out / "summary.json").read_text())
+            told[ranks] = {key: summary[key] for key in ("verdict", "reasons", "remarks", "not_judged", "floors")}
+        self.assertGreater(len(told["1"]["reasons"]), 2)
+        self.assertIn("tension", [reason["what"] for reason in told["1"]["reasons"]])
+        self.assertEqual(told["1"], told["2"])
+        self.assertEqual(told["1"], told["3"])
 
     def test_exit_codes_come_through_mpirun(self):
         self.expect(recoil("run", self.case(), "-n", "2", "--set", "mesh.finest=1us"), 2, "dimension [time]")

@@ -55,7 +55,7 @@ Report look_at(const std::string& file, const std::vector<std::string>& override
     }
   }
   r.touches = predict_touches(r.loaded.contents, r.loaded.materials, pairs);
-  r.cost = estimate(r.loaded.contents, fastest_of(r));
+  r.cost = estimate(r.loaded.contents, r.loaded.materials, fastest_of(r));
   return r;
 }
 
@@ -161,9 +161,10 @@ Json report_json(const Report& r) {
     j["predicted"].push_back(prediction_json(p, r.loaded.contents));
   j["touches"] = Json::array();
   for (const TouchPrediction& p : r.touches) j["touches"].push_back(touch_json(p, r.loaded.contents));
-  j["cost"] = {{"cells", r.cost.cells},   {"material_cells", r.cost.material_cells},
-               {"step", r.cost.step},     {"steps", r.cost.steps},
-               {"memory", r.cost.memory}, {"seconds", r.cost.seconds}};
+  j["cost"] = {{"cells", r.cost.cells},         {"material_cells", r.cost.material_cells},
+               {"cut_cells", r.cost.cut_cells}, {"step", r.cost.step},
+               {"steps", r.cost.steps},         {"memory", r.cost.memory},
+               {"seconds", r.cost.seconds}};
   return j;
 }
 

@@ -11,18 +11,25 @@ namespace recoil::app {
 /// in large ones.
 std::vector<double> cells_of_bodies(const config::Case& c);
 
+/// Cells of one body: with their centre inside, and cut by its surface.
+struct BodyCells {
+  double inside = 0, cut = 0;
+};
+
 /// What a run will take, before it starts.
 struct Estimate {
   double cells = 0;           // of the domain
   double material_cells = 0;  // of all bodies
+  double cut_cells = 0;       // of all bodies
   double step = 0;            // s
   double steps = 0;
   double memory = 0;   // bytes
   double seconds = 0;  // of wall time with one thread
 };
 
-/// @param fastest largest sum over the axes of |u| + c_L to be expected [m/s]
-Estimate estimate(const config::Case& c, double fastest);
+/// @param materials one for each body. @param fastest largest sum over the axes of |u| + c_L to be expected
+/// [m/s]
+Estimate estimate(const config::Case& c, const std::vector<Material>& materials, double fastest);
 
 /// Memory of one cell full of matter [bytes], with its share of the cells of blocks that are partly empty.
 double bytes_of_cell(int dim);

@@ -40,7 +40,8 @@ void check_size(LoadedCase& loaded) {
   double longest = 0;
   const double cells = cells_of(c, longest);
   // The number of steps does not matter here.
-  const double need = longest > most_along_axis ? cells * bytes_of_cell(dim) : estimate(c, 1).memory;
+  const double need =
+      longest > most_along_axis ? cells * bytes_of_cell(dim) : estimate(c, loaded.materials, 1).memory;
   if (longest <= most_along_axis && need <= room) return;
   const double over = std::isfinite(room) ? need / room : 0;
   const double coarser = std::max(std::pow(over, 1.0 / dim), longest / most_along_axis) * 1.05;

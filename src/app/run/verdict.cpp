@@ -57,7 +57,8 @@ void tell_validity(Reporter& reporter, const Verdict& v) {
   const std::string name = name_of(v.kind);
   reporter.insist(fmt::format("verdict: {}", name));
   for (const Reason& r : v.reasons) reporter.insist(fmt::format("  {}: {}", name, r.text));
-  for (const std::string& note : v.notes) reporter.say("  " + note);
+  for (const auto* list : {&v.remarks, &v.notes})
+    for (const std::string& line : *list) reporter.say("  " + line);
 }
 
 }  // namespace

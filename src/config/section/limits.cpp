@@ -45,17 +45,22 @@ Entries<Limits> Limits::keys() {
       part("volume-bounds", &L::volume_bounds, "cut cells whose volume passed its bounds"),
       part("volume-bounds-left", &L::volume_bounds_left, "those that no neighbour could help"),
       part("floored-sound-speeds", &L::floored_sound_speeds, "states with a speed of sound below the least"),
+      part("cleared-strains", &L::cleared_strains,
+           "plastic strains or heatings below zero that were set to zero"),
       part("negative-plastic-strain", &L::negative_plastic_strain, "plastic strain below zero"),
       part("negative-heating", &L::negative_heating,
-           "temperature below that of the start, with temperature = \"plastic-work\""),
+           "temperature below that of the start; by energy, 3 K below the isentrope through the start"),
       part("overfilled-cells", &L::overfilled_cells, "cells with more matter than volume-fraction"),
       part("volume-fraction", &L::volume_fraction, "of all bodies in a cell", "1.1"),
       part("density", &L::density, "whole cells with a density outside of 0.5 to 2.5 of that at rest"),
       part("tension", &L::tension, "whole cells under more tension than the material bears"),
       part("largest-tension", &L::largest_tension,
            "what a material without a spall-strength bears, as part of its bulk modulus", "0.05"),
+      part("spall-strength", &L::spall_strength,
+           "what a material with a spall-strength bears, as a multiple of it", "2"),
       part("melting", &L::melting,
-           "whole cells hotter than a melting temperature of which the strength model knows nothing"),
+           "whole cells hotter by their internal energy than a melting temperature of which the model knows "
+           "nothing"),
       part("thickness", &L::thickness, "cells across the thinnest part of each deformable body", "4")};
 }
 

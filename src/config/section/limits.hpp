@@ -12,9 +12,11 @@ struct Limits {
          real_cells_without_contents = 1e-3, uncovered_cells_without_value = 1e-3,
          clamped_fit_densities = 1e-3, clamped_ghost_densities = 1e-3, averaged_states = 1e-5,
          unmerged_fragments = 1e-3, lone_fragments_moved = 1e-3, capped_speeds = 1e-5, volume_bounds = 1e-2,
-         volume_bounds_left = 1e-2, floored_sound_speeds = 1e-3, negative_plastic_strain = 1e-5,
-         negative_heating = 1e-5, overfilled_cells = 1e-5, density = 1e-5, tension = 1e-2, melting = 1e-3;
+         volume_bounds_left = 1e-2, floored_sound_speeds = 1e-3, cleared_strains = 1e-3,
+         negative_plastic_strain = 1e-5, negative_heating = 1e-5, overfilled_cells = 1e-5, density = 1e-5,
+         tension = 1e-2, melting = 1e-3;
   double largest_tension = 0.05;       // of the bulk modulus, without a spall strength
+  double spall_strength = 1;           // of the material's own
   double volume_fraction = 1.1;        // of all bodies in a cell
   double thickness = 4;                // cells
   double budget = 1e-9;                // relative error

@@ -246,6 +246,36 @@ TYPED_TEST(FaceFluxes, UnphysicalReconstructionsFallBackAndAreCounted) {
   EXPECT_TRUE(std::isfinite(f.flux[0]));
 }
 
+/// Plastic strain and heating beside their edge: a fifth-order reconstruction undershoots there.
+TYPED_TEST(FaceFluxes, NeitherPlasticStrainNorHeatFallsBelowZero) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  Random random(11);
+  bool drawn = false;
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<Primitives<dim>> cell(6, this->base);
+    for (auto& w : cell)
+      for (const int c : {C::ep, C::temperature_rise})
+        w[c] = random(0, 1) < 0.5 ? 0 : std::pow(10, random(-4, 0));
+    const auto f = across<dim, 0, true>(copper, cell);
+    for (const int c : {C::ep, C::temperature_rise}) {
+      EXPECT_GE(f.flux[c] * f.flux[0], 0) << trial;
+      drawn = drawn || (f.flux[c] == 0 && cell[2][c] + cell[3][c] == 0 && cell[1][c] + cell[4][c] > 0);
+    }
+  }
+  EXPECT_TRUE(drawn) << "no value was at its bound: the test shows nothing";
+}
+
+TEST(FaceFluxes, OnlyCellsWithANegativeFaceValueChange) {
+  std::vector<double> q{0.1, 0.2, 0.0, 1e-3, -1e-9}, low{0.3, -0.1, -1e-5, 2e-3, 1e-3},
+      high{0.2, 0.3, 1e-5, -1e-3, 0};
+  detail::keep_positive(q.data(), 5, low.data(), high.data());
+  EXPECT_EQ(low, (std::vector<double>{0.3, 0, 0, low[3], 1e-3}));
+  EXPECT_EQ(high, (std::vector<double>{0.2, high[1], 0, 0, 0}));
+  EXPECT_NEAR(high[1], 0.2 + 0.1 * 2 / 3, 1e-15) << "drawn by the same part as the other face";
+  EXPECT_NEAR(low[3], 1.5e-3, 1e-15);
+}
+
 TEST(FaceFluxesRow, FacesOfARowAreIndependent) {
   using C = Components<2>;
   constexpr int cells = 30;

@@ -94,6 +94,23 @@ TYPED_TEST(PlasticReturn, MeltedMatterLosesItsDeviator) {
   EXPECT_NEAR(TestFixture::equivalent(state.bodies[0].at(0)), 0, 1);
 }
 
+TYPED_TEST(PlasticReturn, WhatIsLeftBelowZeroIsClearedAndCounted) {
+  using C = typename TestFixture::C;
+  auto state = this->state_with(PerfectlyPlastic{this->shear, this->yield}, this->stressed(1));
+  auto& b = state.bodies[0].at(0);
+  const std::size_t n = b.volume.size(), strain = C::ep * n, heat = C::temperature_rise * n;
+  const auto before = b.contents;
+  b.contents[strain + 1] = -0.01 * b.contents[1];
+  b.contents[heat + 1] = -3 * b.contents[1];
+  b.contents[heat + 2] = -3 * b.contents[2];
+  b.contents[strain + 3] = -1e-18 * b.contents[3];  // rounding
+  EXPECT_EQ(clear_negative_strain(state, state.bodies[0], 0), 2);
+  for (std::size_t k = 0; k < b.contents.size(); ++k) {
+    const bool cleared = k == strain + 1 || k == heat + 1 || k == heat + 2 || k == strain + 3;
+    ASSERT_EQ(b.contents[k], cleared ? 0 : before[k]) << k;
+  }
+}
+
 /// Johnson-Cook: faster flow is stronger, and the rate is that of this substage.
 TYPED_TEST(PlasticReturn, ShorterStepsMeanHigherRates) {
   double last = 0;

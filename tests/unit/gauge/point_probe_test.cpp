@@ -49,6 +49,7 @@ State<2> moving(const char* text, F&& field) {
       const Vec<2> u = field(x);
       for (std::size_t d = 0; d < 2; ++d)
         b.contents[(C::u + d) * n + k] = b.contents[k] * u[static_cast<int>(d)];
+      b.contents[C::energy * n + k] += 0.5 * b.contents[k] * dot(u, u);
     }
   }
   return state;

@@ -12,6 +12,7 @@ namespace {
 TEST(PointState, OfAStrainedPiece) {
   Body<2> body;
   body.material = hard_matter();
+  body.material.thermal.rule = Thermal::Rule::plastic_work;
   body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
   using C = Components<2>;
   const double rho = 1010, volume = 2e-8, mass = rho * volume;
@@ -47,6 +48,21 @@ TEST(PointState, OfALineSharesTheRestBetweenBothSides) {
   EXPECT_NEAR(p.stress[1], -3e6, 1);
   EXPECT_NEAR(p.stress[2], -3e6, 1);
   EXPECT_NEAR(p.von_mises, 9e6, 1);
+}
+
+TEST(PointState, ElasticDistortionIsNoHeat) {
+  Body<2> body;
+  body.material = hard_matter();  // by energy; G 7.5 GPa, c 500 J/(kg K)
+  body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
+  using C = Components<2>;
+  const double distortion = 2 * (9e12 + 9e12) / (4 * 7.5e9 * 1000);  // S_xx = -S_yy = 3 MPa and S_xy = 3 MPa
+  Contents<2> q{};
+  q[C::rho] = 1000;
+  q[C::s] = 1000 * 3e6, q[C::s + 1] = 1000 * -3e6, q[C::s + 2] = 1000 * 3e6;
+  q[C::energy] = 1000 * distortion;
+  EXPECT_NEAR(point_state(body, q, 1).temperature, 298, 1e-9);
+  q[C::energy] += 1000 * 500;
+  EXPECT_NEAR(point_state(body, q, 1).temperature, 299, 1e-9);
 }
 
 }  // namespace

@@ -78,6 +78,16 @@ TEST(Library, CaseChangesSingleValues) {
   EXPECT_EQ(found.material->cite, std::vector<std::string>{"seed"});
 }
 
+TEST(Library, HeatIsByEnergyUnlessTheMaterialSaysOtherwise) {
+  EXPECT_EQ(find("copper/ofhc-johnson-cook").material->thermal.rule, Thermal::Rule::energy);
+  EXPECT_EQ(find("steel/hzb").material->thermal.rule, Thermal::Rule::plastic_work);
+  const char* half = "[material.mine]\nbase = \"steel/4340\"\nthermal.taylor-quinney = 0.9\n";
+  const Found wrong = find("mine", half);
+  EXPECT_FALSE(wrong.material);
+  EXPECT_NE(wrong.out.text().find("taylor-quinney must be 1"), std::string::npos) << wrong.out.text();
+  EXPECT_TRUE(find("mine", std::string(half) + "thermal.temperature = \"plastic-work\"\n").material);
+}
+
 TEST(Library, CaseChangesTheKindAndKeepsWhatBothHave) {
   const Found fluid = find("wet", "[material.wet]\nbase = \"copper/seed\"\nstrength = { kind = \"none\" }\n");
   ASSERT_TRUE(fluid.material) << fluid.out.text();

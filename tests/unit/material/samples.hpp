@@ -49,6 +49,7 @@ inline Material copper() {
   m.name = "copper";
   m.eos = MieGruneisen{8930, 3940, 1.49, 2.0};
   m.strength = JohnsonCook{43.33e9, 400e6, 177e6, 1.0, .025, 1.09, 1358};
+  m.thermal.rule = Thermal::Rule::plastic_work;
   m.thermal.specific_heat = 383.5;
   m.facts.molar_mass = 0.063546;
   return m;
@@ -58,6 +59,7 @@ inline Material aluminium() {
   m.name = "aluminium";
   m.eos = MieGruneisen{2700, 5386, 1.339, 1.99};
   m.strength = JohnsonCook{26e9, 324e6, 114e6, .42, .002, 1.34, 925};
+  m.thermal.rule = Thermal::Rule::plastic_work;
   m.thermal.specific_heat = 896;
   m.facts.molar_mass = 0.02698;
   return m;

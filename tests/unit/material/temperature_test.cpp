@@ -18,9 +18,10 @@ TemperatureLaw by_energy(const Eos& eos) {
 
 TEST(Temperature, PlasticWorkRuleAddsTheHeat) {
   Thermal thermal;
+  thermal.rule = Thermal::Rule::plastic_work;
   thermal.specific_heat = 400;
   thermal.taylor_quinney = 0.9;
-  const TemperatureLaw law(thermal, Eos{});
+  const TemperatureLaw law(thermal, MieGruneisen{8930, 3940, 1.49, 2.0});
   EXPECT_EQ(law(9000, 1e5, 0), 298);
   EXPECT_EQ(law(9000, 1e5, 12.5), 310.5);
   EXPECT_NEAR(plastic_heating(thermal, 5e8, 0.1, 8000), 0.9 * 5e8 * 0.1 / (8000 * 400), 1e-12);
@@ -46,6 +47,30 @@ TEST(Temperature, IsentropeIsAdiabatic) {
       EXPECT_NEAR(slope, exact, 5e-3 * std::fabs(exact)) << eos.kind << " " << x;
     }
   });
+}
+
+/// The way to a state does not matter: behind a shock by the jump conditions e = p (1/rho0 - 1/rho)/2.
+TEST(Temperature, ShocksHeatByTheirEnergyAndElasticDistortionDoesNot) {
+  const MieGruneisen eos{8930, 3940, 1.49, 2.0};
+  const TemperatureLaw law = by_energy(eos);
+  const double rho = 1.25 * eos.rho0, phi = 1 - eos.rho0 / rho;
+  const double p = eos.rho0 * eos.c0 * eos.c0 * phi / ((1 - eos.s * phi) * (1 - eos.s * phi));
+  const double e = 0.5 * p * (1 / eos.rho0 - 1 / rho);
+  EXPECT_NEAR(eos.pressure(rho, e), p, 1e-6 * p);
+  // dT = Gamma0/rho0 T drho rho0/rho^2 + (de - p dv)/c_v integrated along the Hugoniot.
+  double t = 298, e_before = 0, p_before = 0;
+  const int steps = 20000;
+  const double h = phi / steps;
+  for (int k = 1; k <= steps; ++k) {
+    const double x = k * h, p_now = eos.rho0 * eos.c0 * eos.c0 * x / ((1 - eos.s * x) * (1 - eos.s * x));
+    const double e_now = 0.5 * p_now * x / eos.rho0;
+    const double heat = e_now - e_before - 0.5 * (p_now + p_before) * h / eos.rho0;  // T ds
+    t += (heat / 383.5 + 2.0 * h * t) / (1 - eos.gamma0 * 0.5 * h);
+    e_before = e_now, p_before = p_now;
+  }
+  EXPECT_NEAR(law(rho, e, 0), t, 0.002 * t);
+  EXPECT_DOUBLE_EQ(distortion_energy(4e16, 43e9, 9000), 4e16 / (6 * 43e9 * 9000));
+  EXPECT_EQ(distortion_energy(4e16, 0, 9000), 0);
 }
 
 TEST(Temperature, LinearMaterialIsColdOnItsElasticCurve) {

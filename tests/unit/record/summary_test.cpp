@@ -35,9 +35,11 @@ TEST(Summary, SaysWhatScriptsRelyOn) {
   s.expect = {{e, {0.72e-6, false, false, ""}, false}};
   s.verdict = {Verdict::Kind::doubtful,
                {{"averaged-states", "a", "0.4 % replaced", 4e-3, 1e-5, 1e-6, NAN, {0.001}}},
-               {"not this"}};
+               {"not this"},
+               {"nor that"}};
   write_summary(folder / "summary.json", s);
   const auto j = read_json(folder / "summary.json");
+  EXPECT_EQ(j["remarks"][0], "nor that");
   EXPECT_EQ(j["case"], "plates");
   EXPECT_EQ(j["exit"], 5);
   EXPECT_EQ(j["verdict"], "doubtful");

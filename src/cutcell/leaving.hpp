@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+
+#include "cutcell/moves_view.hpp"
+
+/// What leaves the domain through its open edges by moves of volume.
+namespace recoil {
+
+inline constexpr double stencil_fill = 0.5;  // of a cell: from which on a fragment stands in stencils
+
+/// The open edge of the domain beyond which the body lies, as seen from a cell at that edge.
+struct OpenEdge {
+  int axis = -1;  // -1: none
+  bool low = false;
+};
+
+template <int Dim>
+OpenEdge edge_towards_body(const MovesView<Dim>& p, const Index<Dim>& i) {
+  const Vec<Dim> g = phi_normal(p.window.box(), p.phi, i, p.grid.dx);
+  const int axis = main_axis(g);
+  const bool low = g[axis] > 0;
+  const bool at_edge = g[axis] != 0 && i[axis] == (low ? 0 : p.grid.cells[axis] - 1) &&
+                       p.grid.edge[axis][low ? 0 : 1] == Edge::outflow;
+  return at_edge ? OpenEdge{axis, low} : OpenEdge{};
+}
+
+/// Whether a cut cell at an open edge has so little, with so little around, that no stencil reaches it any
+/// more.
+template <int Dim>
+bool is_last_at_edge(const MovesView<Dim>& p, const Index<Dim>& i) {
+  const int k = p.window.at(i);
+  if (p.kind[k] != CellKind::cut || !(p.volume[k] > 0) || p.volume[k] >= stencil_fill * p.full(i))
+    return false;
+  bool at_edge = false;
+  for (int d = 0; d < Dim; ++d)
+    at_edge = at_edge || (i[d] == 0 && p.grid.edge[d][0] == Edge::outflow) ||
+              (i[d] == p.grid.cells[d] - 1 && p.grid.edge[d][1] == Edge::outflow);
+  if (!at_edge) return false;
+  Box<Dim> around{i, i};
+  for (int d = 0; d < Dim; ++d) --around.lo[d], around.hi[d] += 2;
+  bool last = true;
+  for_each(around,
+           [&](const Index<Dim>& j) { last = last && p.volume[p.window.at(j)] < stencil_fill * p.full(j); });
+  return last;
+}
+
+/// Whether what a cell holds leaves through an open edge: it is beyond the surface of a body beyond that
+/// edge, or the last of one that moves out.
+template <int Dim>
+bool leaves_domain(const MovesView<Dim>& p, const Index<Dim>& i) {
+  const OpenEdge edge = edge_towards_body(p, i);
+  if (edge.axis < 0) return false;
+  if (p.kind[p.window.at(i)] == CellKind::empty) return true;
+  const double momentum = p.contents(i)[Components<Dim>::u + static_cast<std::size_t>(edge.axis)];
+  return edge.low ? momentum < 0 : momentum > 0;
+}
+
+template <int Dim>
+void book(const Contents<Dim>& contents, Account<Dim>& edges) {
+  using C = Components<Dim>;
+  edges.mass += contents[C::rho];
+  edges.energy += contents[C::energy];
+  for (int d = 0; d < Dim; ++d) edges.momentum[d] += contents[C::u + static_cast<std::size_t>(d)];
+}
+
+}  // namespace recoil

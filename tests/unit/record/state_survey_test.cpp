@@ -1,0 +1,102 @@
+#include "record/state_survey.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "../cutcell/bodies.hpp"
+
+namespace recoil {
+namespace {
+
+constexpr auto heat_component = static_cast<std::size_t>(Components<2>::temperature_rise);
+
+Material copper_with(const Strength& strength, Thermal::Rule rule) {
+  Material m = samples::copper();
+  m.strength = strength;
+  m.thermal.rule = rule;
+  return m;
+}
+
+/// A domain full of matter at rest, `extra` J/kg warm, under the mean tension `tension` [Pa] where it is
+/// cold.
+State<2> full_of(const Material& m, double extra, double tension = 0) {
+  auto state = make_test_state<2>(make_test_grid<2>(4, 4, Edge::outflow, true),
+                                  {[](const Vec<2>&) { return -100.0; }}, m);
+  cut_all(state);
+  const auto& eos = std::get<MieGruneisen>(m.eos);
+  const double rho = eos.rho0 - tension / (eos.c0 * eos.c0);
+  Contents<2> q{};
+  q[0] = rho;
+  q[Components<2>::energy] = rho * extra;
+  fill_body(state, 0, q);
+  state.step = 20;
+  return state;
+}
+
+BodyEvidence seen(const State<2>& state, const config::Limits& limits = {}) {
+  StateSurvey<2> survey(state, limits);
+  survey.look(state, nullptr);
+  return survey.own_evidence(state, nullptr).at(0);
+}
+
+std::int64_t count(const BodyEvidence& e, StateCheck check) {
+  return e.states[static_cast<std::size_t>(check)].count;
+}
+
+constexpr double hot = 500e3;  // J/kg: 1300 K above the start in copper
+
+TEST(StateSurvey, AModelThatSoftensToldOfMeltingIsMolten) {
+  const auto e = seen(full_of(copper_with(samples::copper().strength, Thermal::Rule::energy), hot));
+  EXPECT_EQ(count(e, StateCheck::molten), static_cast<std::int64_t>(e.looked_at));
+  EXPECT_EQ(count(e, StateCheck::melting), 0);
+  EXPECT_TRUE(e.by_energy);
+  const auto& found = e.states[static_cast<std::size_t>(StateCheck::molten)];
+  EXPECT_NEAR(found.worst, 298 + hot / 383.5, 1e-6);
+  EXPECT_EQ(found.bound, 1358);
+}
+
+TEST(StateSurvey, HeatOfShocksThatAModelDoesNotSeeIsMelting) {
+  auto state = full_of(copper_with(samples::copper().strength, Thermal::Rule::plastic_work), hot);
+  EXPECT_GT(count(seen(state), StateCheck::melting), 0);
+  for (BodyBlock<2>& b : state.bodies[0].blocks) {
+    const std::size_t n = b.volume.size();
+    for (std::size_t k = 0; k < n; ++k) b.contents[heat_component * n + k] = 1200 * b.contents[k];
+  }
+  EXPECT_GT(count(seen(state), StateCheck::molten), 0) << "it does: its own temperature is 1498 K";
+  EXPECT_EQ(count(seen(state), StateCheck::melting), 0);
+}
+
+TEST(StateSurvey, OtherModelsMeltByTheirFacts) {
+  Material m = copper_with(PerfectlyPlastic{43e9, 0.4e9}, Thermal::Rule::energy);
+  EXPECT_EQ(count(seen(full_of(m, hot)), StateCheck::melting), 0) << "nobody knows";
+  m.facts.melting_temperature = 1358;
+  EXPECT_GT(count(seen(full_of(m, hot)), StateCheck::melting), 0);
+  EXPECT_EQ(count(seen(full_of(m, 0.5 * hot)), StateCheck::melting), 0);
+}
+
+TEST(StateSurvey, TensionIsHeldAgainstTheMaterialsOwnSpallStrength) {
+  Material m = copper_with(Elastic{43e9}, Thermal::Rule::energy);
+  const double bulk = 8930.0 * 3940 * 3940;  // Pa; bears 5 %, 6.9 GPa
+  EXPECT_EQ(count(seen(full_of(m, 0, 0.045 * bulk)), StateCheck::tension), 0);
+  EXPECT_GT(count(seen(full_of(m, 0, 0.055 * bulk)), StateCheck::tension), 0);
+  m.facts.spall_strength = 1.5e9;
+  EXPECT_EQ(count(seen(full_of(m, 0, 1.4e9)), StateCheck::tension), 0);
+  EXPECT_GT(count(seen(full_of(m, 0, 1.6e9)), StateCheck::tension), 0);
+  config::Limits limits;
+  limits.spall_strength = 2;
+  EXPECT_EQ(count(seen(full_of(m, 0, 2.9e9), limits), StateCheck::tension), 0);
+  EXPECT_GT(count(seen(full_of(m, 0, 3.1e9), limits), StateCheck::tension), 0);
+}
+
+TEST(StateSurvey, ColderThanTheIsentropeIsCounted) {
+  const Material m = copper_with(samples::copper().strength, Thermal::Rule::energy);
+  EXPECT_EQ(count(seen(full_of(m, 0)), StateCheck::negative_heat), 0);
+  EXPECT_EQ(count(seen(full_of(m, -900)), StateCheck::negative_heat), 0) << "noise";
+  EXPECT_GT(count(seen(full_of(m, -3e3)), StateCheck::negative_heat), 0);
+}
+
+}  // namespace
+}  // namespace recoil
