@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace recoil {
@@ -19,8 +20,8 @@ struct Story {
   long step = 0;
   double impulse = 0, gap = 0;
 
-  explicit Story(config::Geometry g = config::Geometry::line)
-      : watch({"flyer", "target"}, g, {{held * dt}, 1e-6}) {
+  explicit Story(config::Geometry g = config::Geometry::line, ContactRule rule = {{held * dt}, 1e-6, 0, {}})
+      : watch({"flyer", "target"}, g, std::move(rule)) {
     watch.begin({sample(0)});
   }
   PairSample sample(double area) const {
@@ -82,6 +83,26 @@ TEST(Events, FlickerIsOneContact) {
   const PairStory story = s.end();
   EXPECT_NEAR(story.opens, (10 + 6 * held) * dt, 1e-15) << "the end of the run believes the rest";
   EXPECT_FALSE(story.recloses);
+}
+
+TEST(Events, AGluedPairIsInContactWhileItHasArea) {
+  Story s(config::Geometry::line, {{held * dt}, 1e-6, 0, {true}});
+  s.go(10, 1);
+  s.go(3 * held, 1, 0);
+  EXPECT_EQ(s.kinds(), std::vector<std::string>{"contact"});
+  s.go(held, 0);
+  EXPECT_NEAR(s.end().opens, (10 + 3 * held) * dt, 1e-15);
+}
+
+TEST(Events, AContactAtAStandOffIsTimedByIt) {
+  Story s(config::Geometry::line, {{held * dt}, 1e-6, 5e-8, {}});
+  for (int n = 0; n < 4; ++n) {
+    s.gap = 8.7e-8 - n * 1e-8;  // 10 m/s
+    s.go(1, 0);
+  }
+  s.gap = 4.7e-8;
+  s.go(1, 1);
+  EXPECT_NEAR(s.end().made, (1 + 3.7) * dt, 1e-14);
 }
 
 TEST(Events, ReclosureAcrossAGap) {
