@@ -208,7 +208,9 @@ class Ranks(Program):
                                 f"{name} {file}")
 
     def test_the_verdict_does_not_depend_on_the_number_of_processes(self):
-        words = [DATA / "cases" / "discs_2kms" / "case.toml", "--set", "mesh.finest=0.4mm", "--end", "2us",
+        case = self.folder / "discs.toml"  # without the expectations, which are of finer cells
+        case.write_text((DATA / "cases" / "discs_2kms" / "case.toml").read_text())
+        words = [case, "--set", "mesh.finest=0.4mm", "--end", "2us",
                  "--set", "limits.largest-tension=1e-3", "--set", "limits.volume-bounds=0"]
         told = {}
         for ranks in ("1", "2", "3"):
