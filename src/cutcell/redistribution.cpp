@@ -252,9 +252,20 @@ class Redistribution {
     if (m.mean[at] + lowest < 0) m.slope[at] *= m.mean[at] > 0 ? -m.mean[at] / lowest : 0;
   }
 
+  /// Of a cell without volume: what has flowed in stays its own where a neighbourhood is too small to share.
+  Q contents_without_volume(int k) {
+    double part = 0;
+    for (int h = first_holder_[k]; h < first_holder_[k + 1]; ++h)
+      if (!merged(holders_[h]).possible) part += 1.0 / shares_[k];
+    Q q = contents(k);
+    for (double& c : q) c *= part;
+    return q;
+  }
+
   Q new_contents(int k) {
+    if (volume_[k] == 0) return contents_without_volume(k);
     const Q old = contents(k);
-    const double per_volume = volume_[k] != 0 ? 1 / volume_[k] : 0;
+    const double per_volume = 1 / volume_[k];
     Q sum{};
     if (!is_small_[k])
       for (std::size_t c = 0; c < old.size(); ++c) sum[c] = old[c] * per_volume;

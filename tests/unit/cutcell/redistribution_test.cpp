@@ -146,6 +146,27 @@ TYPED_TEST(Redistributing, ALonePieceGoesToTheNearestWhole) {
   });
 }
 
+/// Dust: a cell without volume into which matter has flowed, beside fragments too small to share.
+TYPED_TEST(Redistributing, ACellWithoutVolumeKeepsWhatHasFlowedIn) {
+  constexpr int dim = TestFixture::dim;
+  const Vec<dim> middle = middle_of(this->grid);
+  auto state = make_test_state<dim>(this->grid, {ball(middle, 1.1 * this->grid.dx)});
+  cut_all(state);
+  const auto one = per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+  int pieces = 0;
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    set_piece(b, k, 0, one);
+    if (b.geometry.index[k] < 0) return;
+    set_piece(b, k, 0.002 * this->grid.dx_power(dim), one);
+    if (pieces++ == 0) b.volume[k] = 0;
+  });
+  ASSERT_GT(pieces, 1);
+  const auto before = totals(state, 0);
+  this->run(state);
+  const auto after = totals(state, 0);
+  for (std::size_t c = 0; c < after.size(); ++c) EXPECT_NEAR(after[c] / before[c], 1, 1e-14) << c;
+}
+
 TYPED_TEST(Redistributing, BlocksDoNotMatter) {
   constexpr int dim = TestFixture::dim;
   std::vector<std::map<int, std::vector<double>>> found(2);
