@@ -27,8 +27,9 @@ double number_in(const fs::path& file) {
 
 double installed_memory() {
   std::ifstream in("/proc/meminfo");
+  double kilobytes = 0;
   for (std::string word; in >> word;)
-    if (double kilobytes = 0; word == "MemTotal:" && in >> kilobytes) return kilobytes * 1024;
+    if (word == "MemTotal:" && in >> kilobytes) return kilobytes * 1024;
   return unknown;
 }
 

@@ -78,13 +78,13 @@ class EventWatch {
   ~EventWatch();
   EventWatch(EventWatch&&) noexcept;
 
-  /// @param pairs at the start: their gaps.
-  void begin(const std::vector<PairSample>& pairs);
+  /// @param samples of all pairs at the start: their gaps.
+  void begin(const std::vector<PairSample>& samples);
   /// Whether the next step() takes the motion of the bodies: a contact or an opening has begun.
-  bool needs_motion(const std::vector<PairSample>& pairs) const;
-  /// @param time at the end of the step of length dt [s]; @param pairs all pairs, by pair_number();
+  bool needs_motion(const std::vector<PairSample>& samples) const;
+  /// @param time at the end of the step of length dt [s]; @param samples of all pairs, by pair_number();
   /// @param motion of all bodies at that time where needs_motion(), else anything.
-  void step(double time, double dt, const std::vector<PairSample>& pairs,
+  void step(double time, double dt, const std::vector<PairSample>& samples,
             const std::vector<BodyMotion>& motion);
   /// A place where the pair's surfaces parted at `time` while the pair touched elsewhere.
   void lift_off(std::size_t pair, double time, const std::vector<double>& place);
