@@ -21,8 +21,9 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 /// The number in a file; infinite where it holds none ("max") or does not exist.
 double number_in(const fs::path& file) {
   std::ifstream in(file);
-  double value = unknown;
-  return in >> value ? value : unknown;
+  double value = 0;
+  if (in >> value) return value;
+  return unknown;
 }
 
 double installed_memory() {
