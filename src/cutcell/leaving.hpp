@@ -2,12 +2,11 @@
 
 #include <cstddef>
 
+#include "cutcell/fill.hpp"
 #include "cutcell/moves_view.hpp"
 
 /// What leaves the domain through its open edges by moves of volume.
 namespace recoil {
-
-inline constexpr double stencil_fill = 0.5;  // of a cell: from which on a fragment stands in stencils
 
 /// The open edge of the domain beyond which the body lies, as seen from a cell at that edge.
 struct OpenEdge {
@@ -15,6 +14,7 @@ struct OpenEdge {
   bool low = false;
 };
 
+/// Axis -1 where the cell is not at an open edge, or the body does not lie beyond it.
 template <int Dim>
 OpenEdge edge_towards_body(const MovesView<Dim>& p, const Index<Dim>& i) {
   const Vec<Dim> g = phi_normal(p.window.box(), p.phi, i, p.grid.dx);
@@ -30,7 +30,7 @@ OpenEdge edge_towards_body(const MovesView<Dim>& p, const Index<Dim>& i) {
 template <int Dim>
 bool is_last_at_edge(const MovesView<Dim>& p, const Index<Dim>& i) {
   const int k = p.window.at(i);
-  if (p.kind[k] != CellKind::cut || !(p.volume[k] > 0) || p.volume[k] >= stencil_fill * p.full(i))
+  if (p.kind[k] != CellKind::cut || !(p.volume[k] > 0) || p.volume[k] >= regular_fill * p.full(i))
     return false;
   bool at_edge = false;
   for (int d = 0; d < Dim; ++d)
@@ -41,7 +41,7 @@ bool is_last_at_edge(const MovesView<Dim>& p, const Index<Dim>& i) {
   for (int d = 0; d < Dim; ++d) --around.lo[d], around.hi[d] += 2;
   bool last = true;
   for_each(around,
-           [&](const Index<Dim>& j) { last = last && p.volume[p.window.at(j)] < stencil_fill * p.full(j); });
+           [&](const Index<Dim>& j) { last = last && p.volume[p.window.at(j)] < regular_fill * p.full(j); });
   return last;
 }
 
@@ -56,6 +56,7 @@ bool leaves_domain(const MovesView<Dim>& p, const Index<Dim>& i) {
   return edge.low ? momentum < 0 : momentum > 0;
 }
 
+/// Adds what leaves to the account of the edges.
 template <int Dim>
 void book(const Contents<Dim>& contents, Account<Dim>& edges) {
   using C = Components<Dim>;

@@ -14,8 +14,7 @@ namespace recoil::detail {
 
 /// In 1-D cells that yield stay with their waves, at the speed of the plastic tangent: with the whole step
 /// along the one axis that keeps the front of a plastic shock steep and quiet behind. In more dimensions,
-/// where a step is shared between the axes, elastic impedances with plastic speeds would stiffen a bar; there
-/// such cells move by their own differences.
+/// where a step is shared between the axes, they move by their own differences.
 template <int Dim>
 inline constexpr bool yields_by_waves = Dim == 1;
 
@@ -170,8 +169,9 @@ void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, F
 
 /// One cell of a row that yields and goes on loading: both ends move by the cell's own differences with the
 /// plastic tangent. `low` and `high` hold the ends of the start of the step, and get those of the middle.
+/// @param half of the step, over dx [s/m].
 template <int Dim, int Axis>
-[[gnu::always_inline]] inline void move_yielding(double g, const Row<Dim>& in, int i, double dx_over,
+[[gnu::always_inline]] inline void move_yielding(double g, const Row<Dim>& in, int i, double half,
                                                  Primitives<Dim>& low, Primitives<Dim>& high) {
   using C = Components<Dim>;
   const std::ptrdiff_t k = in.first + i;
@@ -184,8 +184,8 @@ template <int Dim, int Axis>
   const Response m{z * z / w[C::rho] - 4.0 / 3 * g, g, in.ahead->loading[k]};
   const auto rate = rate_along<Dim, Axis>(w, slope, w[C::u + Axis], m);
   for (std::size_t c = 0; c < w.size(); ++c) {
-    low[c] += dx_over * rate[c];
-    high[c] += dx_over * rate[c];
+    low[c] += half * rate[c];
+    high[c] += half * rate[c];
   }
 }
 
@@ -206,23 +206,21 @@ template <int Axis, class F>
     if (d != Axis && ahead.change[d]) f(ahead.change[d]);
 }
 
-/// Adds what the other axes change, and puts an end of one cell back into its row. The deviator of a cell
-/// that yields does not grow beyond that of its average.
+/// Adds what the other axes change, and puts an end of a cell that yields back into its row. Its deviator
+/// does not grow beyond that of the cell's average.
 template <int Dim, int Axis>
-[[gnu::always_inline]] inline void put_end(const Row<Dim>& in, int i, bool yields, Primitives<Dim> v,
-                                           FaceValues<Dim>& w, int at) {
+[[gnu::always_inline]] inline void put_end(const Row<Dim>& in, int i, Primitives<Dim> v, FaceValues<Dim>& w,
+                                           int at) {
   using C = Components<Dim>;
   const std::ptrdiff_t k = in.first + i;
   for_each_transverse<Axis>(*in.ahead, [&](const double* change) {
     for (std::size_t c = 0; c < v.size(); ++c) v[c] += change[c * in.cells + k];
   });
-  if (yields) {
-    const double own = equivalent_stress_squared<Dim>(in.primitive + C::s * in.cells + k, in.cells),
-                 end = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
-    if (end > own) {
-      const double scale = std::sqrt(own / end);
-      for (int c = C::s; c < C::ep; ++c) v[c] *= scale;
-    }
+  const double own = equivalent_stress_squared<Dim>(in.primitive + C::s * in.cells + k, in.cells),
+               end = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
+  if (end > own) {
+    const double scale = std::sqrt(own / end);
+    for (int c = C::s; c < C::ep; ++c) v[c] *= scale;
   }
   for (std::size_t c = 0; c < v.size(); ++c) w.value[c][at] = v[c];
   w.stress[at] = deviator<Dim>(v, Axis, Axis) - v[C::p];
@@ -279,8 +277,8 @@ void move_half_step(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, 
   for (int k = 0; k < n; ++k) {
     Ends& e = yielding[k];
     move_yielding<Dim, Axis>(g, in, e.cell, 0.5 * in.ahead->per_dx, e.low, e.high);
-    put_end<Dim, Axis>(in, e.cell, true, e.low, low, e.cell + to);
-    put_end<Dim, Axis>(in, e.cell, true, e.high, high, e.cell + to);
+    put_end<Dim, Axis>(in, e.cell, e.low, low, e.cell + to);
+    put_end<Dim, Axis>(in, e.cell, e.high, high, e.cell + to);
   }
 }
 

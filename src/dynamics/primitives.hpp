@@ -4,13 +4,11 @@
 #include <cstdint>
 
 #include "core/scratch.hpp"
+#include "cutcell/fill.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
 
-/// Least part of a whole cell that a fragment must fill to take part in fits, and to stand in stencils
-/// itself.
-inline constexpr double donor_fill = 0.3, regular_fill = 0.5;
 /// Wave speeds use at least this part of c0^2; states below are counted.
 inline constexpr double least_sound = 0.05;
 

@@ -8,6 +8,7 @@
 
 #include "dynamics/primitives.hpp"
 #include "field/window.hpp"
+#include "gauge/corners.hpp"
 #include "gauge/level_set_slope.hpp"
 
 namespace recoil {
@@ -106,25 +107,6 @@ struct Around {
     return s;
   }
 };
-
-/// Weights of the cells around x: f(cell, weight of the linear interpolation between centres).
-template <int Dim, class F>
-void for_corners(const Grid<Dim>& grid, const Vec<Dim>& x, F&& f) {
-  Vec<Dim> half_back = x;
-  for (int d = 0; d < Dim; ++d) half_back[d] -= 0.5 * grid.dx;
-  const Index<Dim> low = grid.cell_of(half_back);
-  const Vec<Dim> part = (x - grid.centre(low)) * (1 / grid.dx);
-  for (unsigned corner = 0; corner < 1U << Dim; ++corner) {
-    Index<Dim> i = low;
-    double weight = 1;
-    for (int d = 0; d < Dim; ++d) {
-      const bool high = (corner >> d & 1U) != 0;
-      i[d] += high ? 1 : 0;
-      weight *= high ? part[d] : 1 - part[d];
-    }
-    if (weight > 0) f(i, weight);
-  }
-}
 
 /// Between full cells; nothing where one of them is not.
 template <int Dim>

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "dynamics/primitives.hpp"
+#include "gauge/corners.hpp"
 #include "gauge/point_state.hpp"
 
 namespace recoil {
@@ -79,23 +80,9 @@ template <int Dim>
 void collect_line(const State<Dim>& state, const StressLine<Dim>& line, int first_item, OrderedSums& sums) {
   const Grid<Dim>& grid = state.grid();
   for (std::size_t k = 0; k < line.stations.size(); ++k) {
-    const Vec<Dim> half_back = line.stations[k].at - [&] {
-      Vec<Dim> h;
-      for (int d = 0; d < Dim; ++d) h[d] = 0.5 * grid.dx;
-      return h;
-    }();
-    const Index<Dim> low = grid.cell_of(half_back);
-    const Vec<Dim> part = (line.stations[k].at - grid.centre(low)) * (1 / grid.dx);
-    for (unsigned corner = 0; corner < 1U << Dim; ++corner) {
-      Index<Dim> i = low;
-      double weight = 1;
-      for (int d = 0; d < Dim; ++d) {
-        const bool high = (corner >> d & 1U) != 0;
-        i[d] += high ? 1 : 0;
-        weight *= high ? part[d] : 1 - part[d];
-      }
-      if (weight > 0) add_cell(state, line, i, weight, first_item + static_cast<int>(k), sums);
-    }
+    for_corners(grid, line.stations[k].at, [&](const Index<Dim>& i, double weight) {
+      add_cell(state, line, i, weight, first_item + static_cast<int>(k), sums);
+    });
   }
 }
 

@@ -66,6 +66,7 @@ struct EventWatch::Parts {
   int dim = 1;
   double least_gap = 0;         // m
   double stand_off = 0;         // m
+  double gap_at = 0;            // part of a step
   std::array<bool, 3> sided{};  // axes along which a body is but half of one
   std::vector<Watched> pairs;
   std::vector<Event> events, news;
@@ -114,12 +115,15 @@ struct EventWatch::Parts {
     return fmt::format("{}", fmt::join(texts, ", "));
   }
 
-  /// When a touch began that the step [time - dt, time] is the first to feel: the gap before it over the
-  /// speed at which it closed in the step before, or over `approach` in the first step.
-  double time_of_touch(const Watched& w, double time, double dt, double approach) const {
+  /// When a touch began that the step [time - dt, time] is the first to feel: the gap where the surfaces
+  /// touch over the speed at which the pair's gap closed in the step before, or over `approach` in the first
+  /// step. (The smallest gap at centres of cells would miss the tip of a sharp
+  /// body.)
+  double time_of_touch(const Watched& w, const PairSample& s, double time, double dt, double approach) const {
     const double speed = std::isnan(w.closing) ? approach : w.closing, start = time - dt;
-    if (!std::isfinite(w.gap) || !(speed > 0)) return start;
-    return std::clamp(start + (w.gap - stand_off) / speed, std::max(start - dt, 0.0), time);
+    if (!(speed > 0)) return start;
+    return std::clamp(start + gap_at * dt + (s.gap / s.area - stand_off) / speed, std::max(start - dt, 0.0),
+                      time);
   }
 
   void press(Watched& w, double time, double dt, const PairSample& s, const std::vector<PairSample>& all,
@@ -134,12 +138,12 @@ struct EventWatch::Parts {
       Three n = s.impulse;  // on the first body: away from the second
       const double length = size(n);
       for (double& c : n) c = length > 0 ? c / length : 0;
-      w.story.made = time_of_touch(w, time, dt, dot(n, w.velocity_made[1]) - dot(n, w.velocity_made[0]));
+      w.story.made = time_of_touch(w, s, time, dt, dot(n, w.velocity_made[1]) - dot(n, w.velocity_made[0]));
       w.story.open = false;
       add(w, w.story.made, "contact", w.place, motion_text(w, w.velocity_made));
       return;
     }
-    if (std::isnan(w.met)) w.met = time_of_touch(w, time, dt, never);
+    if (std::isnan(w.met)) w.met = time_of_touch(w, s, time, dt, never);
     if (w.separate || time - w.met >= w.hold * (1 - round_off)) close_again(w);
   }
 
@@ -242,6 +246,7 @@ EventWatch::EventWatch(std::vector<std::string> names, config::Geometry geometry
   p.dim = config::dimension(geometry);
   p.least_gap = rule.gap;
   p.stand_off = rule.stand_off;
+  p.gap_at = rule.gap_at;
   p.sided = sided;
   if (geometry == config::Geometry::axisymmetric) p.sided[0] = true;
   const std::size_t n = p.names.size();

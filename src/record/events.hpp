@@ -52,6 +52,7 @@ struct ContactRule {
   std::vector<double> hold;   ///< s, by pair_number(): so long it must last, or to the end of the run
   double gap = 0;             ///< m: surfaces farther apart than this everywhere are separate
   double stand_off = 0;       ///< m: surfaces as near as this touch (scheme of the paper)
+  double gap_at = 0;          ///< part of a step after which the gaps of its contacts are taken
   std::vector<bool> glued{};  ///< by pair_number(), empty: none; such a pair is in contact while it has area
 };
 
@@ -60,8 +61,8 @@ inline constexpr double least_force = 1e-3;
 
 /// Watches the contact of all pairs. A pair presses in a step that has contact area and at least
 /// `least_force` of the largest force so far.
-///   contact     the first such step; the time within it follows from the gap before it and its rate
-///   opening     the end of the last such step, once the pair has not pressed for the hold time
+///   contact     the first such step; the time within it follows from the gap where the surfaces touch and
+///   its rate opening     the end of the last such step, once the pair has not pressed for the hold time
 ///   separation  the gap is wider than ContactRule::gap everywhere, and stays so for the hold time
 ///   reclosure   after an opening the pair presses again: at once where it had separated, else once it has
 ///               pressed for the hold time

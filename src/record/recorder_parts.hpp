@@ -62,12 +62,14 @@ inline std::array<bool, 3> closed_axes(const config::Domain& domain) {
 /// What changes of contact must last: twenty transits of a cell by sound, of the pair's slower body. A gap of
 /// a tenth of a cell is what the scheme keeps between surfaces that touch.
 template <int Dim>
-ContactRule contact_rule(const State<Dim>& state, double stand_off = 0) {
+ContactRule contact_rule(const State<Dim>& state, const config::Method& method) {
   constexpr double held_transits = 20, open_gap = 0.1;
   const double dx = state.grid().dx;
   ContactRule rule;
   rule.gap = open_gap * dx;
-  rule.stand_off = stand_off;
+  if (method.scheme == "seed") rule.stand_off = method.kappa * dx;
+  if (method.scheme != "conservative")
+    rule.gap_at = 0.5;  // their surfaces are those of the middle of the step
   for (int a = 0; a < state.count(); ++a)
     for (int b = a + 1; b < state.count(); ++b) {
       double hold = 0;
@@ -143,10 +145,8 @@ struct Recorder<Dim>::Parts {
         rigid(rigid_bodies(state)),
         sampler(state.count(), sums),
         gauges(c, state, w, make_folder("gauges"), sums),
-        events(names, c.domain.geometry,
-               contact_rule(state, c.method.scheme == "seed" ? c.method.kappa * state.grid().dx : 0.0),
-               closed_axes(c.domain)),
-        lift_off(contact_rule(state).hold),
+        events(names, c.domain.geometry, contact_rule(state, c.method), closed_axes(c.domain)),
+        lift_off(contact_rule(state, c.method).hold),
         budget(names, rigid, units.balanced),
         fields(make_folder("fields"), case_name(c), c.output.fields.variables),
         survey(state, c.limits),

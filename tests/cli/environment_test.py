@@ -20,14 +20,18 @@ def limited(kind, size):
 
 
 class Environment(Program):
-    def test_a_full_disk(self):
-        """On a small file system of our own; needs the right to mount."""
+    def disk(self, options):
+        """A file system of our own; the test is skipped without the right to mount one."""
         disk = self.folder / "disk"
         disk.mkdir()
-        mount = ["mount", "-t", "tmpfs", "-o", "size=2m", "tmpfs", str(disk)]
+        mount = ["mount", "-t", "tmpfs", "-o", options, "tmpfs", str(disk)]
         if not shutil.which("mount") or subprocess.run(mount, capture_output=True, check=False).returncode:
             self.skipTest("no right to mount a file system")
         self.addCleanup(subprocess.run, ["umount", str(disk)], check=True)
+        return disk
+
+    def test_a_full_disk(self):
+        disk = self.disk("size=2m")
         case = self.case(('fields = { every = "0.5 us" }',
                           'fields = { every = "0.02 us" }\ncheckpoint = { every = "0.5 us", keep = 1 }'))
         words = ["-o", disk / "run", *COARSE, "--plain", "-j", "1"]
@@ -44,12 +48,7 @@ class Environment(Program):
         self.expect(recoil("resume", disk / "run", "-j", "1"), 0, "finished at 6 us")
 
     def test_a_disk_with_no_room_at_all(self):
-        disk = self.folder / "disk"
-        disk.mkdir()
-        mount = ["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", str(disk)]
-        if not shutil.which("mount") or subprocess.run(mount, capture_output=True, check=False).returncode:
-            self.skipTest("no right to mount a file system")
-        self.addCleanup(subprocess.run, ["umount", str(disk)], check=True)
+        disk = self.disk("size=64k")
         result = recoil("run", self.case(), "-o", disk / "run", "-j", "1")
         self.expect(result, 4, "error: cannot")
         self.assertNotIn("signal", result.stdout + result.stderr)
@@ -63,14 +62,11 @@ class Environment(Program):
     def test_a_folder_that_may_only_be_read(self):
         closed = self.folder / "closed"
         closed.mkdir()
-        if os.geteuid() == 0:
-            mount = ["mount", "-t", "tmpfs", "-o", "ro", "tmpfs", str(closed)]
-            if subprocess.run(mount, capture_output=True, check=False).returncode:
-                self.skipTest("root may write everywhere, and no file system can be mounted")
-            self.addCleanup(subprocess.run, ["umount", str(closed)], check=True)
+        if os.geteuid() == 0:  # who may write everywhere
+            closed = self.disk("ro")
         else:
             closed.chmod(0o500)
-        self.expect(recoil("run", self.case(), "-o", closed / "out", *COARSE), 4, "closed")
+        self.expect(recoil("run", self.case(), "-o", closed / "out", *COARSE), 4, str(closed))
 
     def test_less_memory_than_the_case_needs(self):
         case = self.case(('finest = "0.05 mm"', 'finest = "0.001 um"'))

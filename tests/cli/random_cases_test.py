@@ -15,7 +15,7 @@ import subprocess
 import tomllib
 import unittest
 
-from program import Program, recoil
+from program import PROGRAM, Program
 
 CASES = int(os.environ.get("RECOIL_RANDOM_CASES", "40"))
 FIRST = int(os.environ.get("RECOIL_RANDOM_SEED", "1"))
@@ -36,7 +36,7 @@ def span(dice, least=0.8, most=9.0):
 def shape(dice, geometry):
     axes = AXES[geometry]
     kinds = ["box"]
-    if geometry in ("planar",):
+    if geometry == "planar":
         kinds += ["disc", "turned"]
     if geometry == "axisymmetric":
         kinds += ["sphere", "rod"]
@@ -107,7 +107,7 @@ class RandomCases(Program):
         run = self.folder / f"run_{number}"
         words = ["run", file, "-o", run, "--plain", "-j", "1"]
         try:
-            result = subprocess.run([os.environ["RECOIL_PROGRAM"], *map(str, words)], capture_output=True, text=True,
+            result = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True,
                                     timeout=60, check=False)
         except subprocess.TimeoutExpired:
             self.fail(f"took more than a minute:\n{file.read_text()}")

@@ -24,6 +24,11 @@ constexpr CellTime cell_time[] = {
     {0.55e-6, 0.4e-6, 12e-6}, {1.5e-6, 0.55e-6, 21e-6}, {5.2e-6, 1.4e-6, 70e-6}};
 constexpr double one_stage = 0.67;  // of the time of three
 
+/// Cells of one body: with their centre inside, and cut by its surface.
+struct BodyCells {
+  double inside = 0, cut = 0;
+};
+
 template <int Dim>
 std::vector<BodyCells> sample(const config::Case& c) {
   const Grid<Dim> grid = make_grid<Dim>(c);

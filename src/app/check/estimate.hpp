@@ -11,11 +11,6 @@ namespace recoil::app {
 /// in large ones.
 std::vector<double> cells_of_bodies(const config::Case& c);
 
-/// Cells of one body: with their centre inside, and cut by its surface.
-struct BodyCells {
-  double inside = 0, cut = 0;
-};
-
 /// What a run will take, before it starts.
 struct Estimate {
   double cells = 0;           // of the domain

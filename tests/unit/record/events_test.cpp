@@ -19,8 +19,10 @@ struct Story {
   EventWatch watch;
   long step = 0;
   double impulse = 0, gap = 0;
+  double touch_gap = 0;  // m, where they touch, at the start of the step
 
-  explicit Story(config::Geometry g = config::Geometry::line, ContactRule rule = {{held * dt}, 1e-6, 0, {}})
+  explicit Story(config::Geometry g = config::Geometry::line,
+                 ContactRule rule = {{held * dt}, 1e-6, 0, 0, {}})
       : watch({"flyer", "target"}, g, std::move(rule)) {
     watch.begin({sample(0)});
   }
@@ -31,6 +33,7 @@ struct Story {
     s.impulse = {impulse, 0, 0};
     s.place = {0.003 * area, 0, 0};
     s.smallest_gap = gap;
+    s.gap = touch_gap * area;
     return s;
   }
   /// The flyer begins with 10 m/s. @param push impulse of each step; no force without area.
@@ -86,7 +89,7 @@ TEST(Events, FlickerIsOneContact) {
 }
 
 TEST(Events, AGluedPairIsInContactWhileItHasArea) {
-  Story s(config::Geometry::line, {{held * dt}, 1e-6, 0, {true}});
+  Story s(config::Geometry::line, {{held * dt}, 1e-6, 0, 0, {true}});
   s.go(10, 1);
   s.go(3 * held, 1, 0);
   EXPECT_EQ(s.kinds(), std::vector<std::string>{"contact"});
@@ -95,12 +98,13 @@ TEST(Events, AGluedPairIsInContactWhileItHasArea) {
 }
 
 TEST(Events, AContactAtAStandOffIsTimedByIt) {
-  Story s(config::Geometry::line, {{held * dt}, 1e-6, 5e-8, {}});
+  Story s(config::Geometry::line, {{held * dt}, 1e-6, 5e-8, 0.5, {}});
   for (int n = 0; n < 4; ++n) {
     s.gap = 8.7e-8 - n * 1e-8;  // 10 m/s
     s.go(1, 0);
   }
   s.gap = 4.7e-8;
+  s.touch_gap = 5.2e-8;  // of the middle of the step
   s.go(1, 1);
   EXPECT_NEAR(s.end().made, (1 + 3.7) * dt, 1e-14);
 }
@@ -163,17 +167,30 @@ TEST(Events, FirstTouchFollowsFromTheGapAndItsRate) {
   s.gap = 1e-6;  // 3 um in each step: a third of the next is left
   s.go(1, 0);
   s.gap = 0;
+  s.touch_gap = 1e-6;
   s.go(1, 1);
   EXPECT_NEAR(s.end().made, (4 + 1.0 / 3) * dt, 1e-15);
   EXPECT_NEAR(s.watch.events()[0].time, (4 + 1.0 / 3) * dt, 1e-15);
   EXPECT_EQ(s.watch.events()[0].detail, "flyer 10 m/s, target 0 m/s") << "before the first impulse";
 }
 
+TEST(Events, ATipTouchesWhereItIsAndNotAtTheCentresOfCells) {
+  Story s;
+  for (const double gap : {6e-6, 5e-6, 4e-6}) {  // of the centres of cells, 3.7 um too wide
+    s.gap = gap;
+    s.go(1, 0);
+  }
+  s.touch_gap = 0.3e-6;
+  s.go(1, 1);
+  EXPECT_NEAR(s.end().made, 3.3 * dt, 1e-15);
+}
+
 TEST(Events, TouchInTheFirstStepFollowsFromTheVelocities) {
   EventWatch watch({"flyer", "target"}, config::Geometry::line, {{held * dt}, 1e-6});
   PairSample s;
-  s.smallest_gap = 4e-9;  // at 10 m/s: 0.4 steps
+  s.smallest_gap = 4e-9;
   watch.begin({s});
+  s.gap = 4e-9;  // at 10 m/s: 0.4 steps
   s.area = 1, s.force = {-1, 0, 0}, s.impulse = {-1, 0, 0}, s.smallest_gap = 0;
   watch.step(dt, dt, {s}, {{2, {19, 0, 0}}, {8, {1, 0, 0}}});
   EXPECT_NEAR(watch.stories()[0].made, 0.4 * dt, 1e-15);
