@@ -35,12 +35,13 @@ struct Transfer {
   Index<Dim> state_cell{};       // whose state the volume takes along ...
   double factor = 0;             // ... this much of its contents
   bool everything = false;       // the cell is left with nothing
-  std::array<double, 2> kept{};  // of `bounded`: what `to` keeps that the volume should have taken along
+  std::array<double, 3> kept{};  // of `bounded`: what `to` keeps that the volume should have taken along
 };
 
 /// Components that cannot fall below zero.
 template <int Dim>
-inline constexpr std::array<std::size_t, 2> bounded{Components<Dim>::ep, Components<Dim>::temperature_rise};
+inline constexpr std::array<std::size_t, 3> bounded{Components<Dim>::ep, Components<Dim>::temperature_rise,
+                                                    Components<Dim>::damage};
 
 /// A neighbour that gives volume at the state of the cell that takes it gives no more plastic strain and heat
 /// than it has.

@@ -239,7 +239,7 @@ class Redistribution {
       const double u1 = q1[c] / volume_[one], u2 = q2[c] / volume_[two];
       m.slope[c] = minmod((m.mean[c] - u1) / (x0 - x1), (u1 - u2) / (x1 - x2));
     }
-    for (const int c : {Components<Dim>::ep, Components<Dim>::temperature_rise}) keep_positive(h, m, c);
+    for (int c = Components<Dim>::ep; c < Components<Dim>::contents; ++c) keep_positive(h, m, c);
   }
 
   /// Flattens the slope of what cannot fall below zero until neither of the pair does. What the pair holds

@@ -150,6 +150,16 @@ void find_open(Work<Dim>& w, Scratch& scratch) {
   for (std::size_t k = 0; k < w.wide; ++k) w.open[k] = (w.role[k] & valued) != 0 ? 1.0 : 0.0;
 }
 
+/// Dust stays as it is: a void bears no wave.
+template <int Dim>
+void leave_voids(Work<Dim>& w) {
+  if (!w.failed) return;
+  for (std::size_t k = 0; k < w.wide; ++k)
+    if (w.failed[k] == with_void)
+      for (double* change : w.ahead.change)
+        for (std::size_t c = 0; change && c < Components<Dim>::primitives; ++c) change[c * w.wide + k] = 0;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -173,6 +183,7 @@ void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& w, Scratch& scr
       w.ahead.change[2] = scratch.take<double>(n);
       find_ring_change(g, 0.5 * dt, w);
     }
+  leave_voids(w);
 }
 
 template <int Dim>

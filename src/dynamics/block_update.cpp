@@ -22,16 +22,15 @@ using detail::Work;
 
 constexpr int reach = 3;  // cells that a reconstruction reads beyond a face
 
-template <int Dim, class EosModel>
-void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double shear_modulus, Work<Dim>& w,
-                   Scratch& scratch) {
+/// The first `count` primitives of the window's cells; the others are zero.
+template <std::size_t count, int Dim>
+void gather_primitives(const Body<Dim>& body, int slot, double rho0, Work<Dim>& w, Scratch& scratch) {
   using C = Components<Dim>;
-  constexpr std::size_t count = EosModel::barotropic ? C::primitives : C::contents;
   w.primitive = scratch.take<double>(w.wide * C::primitives + vector_length);
   std::fill_n(w.primitive + w.wide * count, w.wide * (C::primitives - count) + vector_length, 0.0);
   std::array<typename Window<Dim>::template Component<double>, count> components;
   for (std::size_t c = 0; c < count; ++c) {
-    components[c].missing = c == C::rho ? eos.rho0 : 0.0;
+    components[c].missing = c == C::rho ? rho0 : 0.0;
     for (int d = 0; d < Dim; ++d)
       if (component_sign<Dim>(static_cast<int>(c), 1U << d) < 0) components[c].odd_axes |= 1U << d;
   }
@@ -42,12 +41,35 @@ void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double 
     w.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; },
                     std::uint8_t{0}, Beyond::extend, w.role);
     for (std::size_t c = 0; c < count; ++c) {
-      const double missing = c == C::rho ? eos.rho0 : 0.0;
+      const double missing = c == C::rho ? rho0 : 0.0;
       double* value = w.primitive + c * w.wide;
 #pragma omp simd
       for (std::size_t k = 0; k < w.wide; ++k) value[k] = (w.role[k] & valued) != 0 ? value[k] : missing;
     }
   }
+}
+
+/// Says which cells of the window have failed, and which of them have a void; nothing where none has.
+template <int Dim>
+void find_failed(Work<Dim>& w, Scratch& scratch) {
+  using C = Components<Dim>;
+  const double *damage = w.primitive + C::damage * w.wide, *p = w.primitive + C::p * w.wide;
+  if (std::none_of(damage, damage + w.wide, [](double d) { return d >= failed_damage; })) return;
+  w.failed = scratch.take<std::uint8_t>(w.wide);
+  for (std::size_t k = 0; k < w.wide; ++k)
+    w.failed[k] = damage[k] < failed_damage ? intact : p[k] != 0 ? failed_matter : with_void;
+}
+
+template <int Dim, class EosModel>
+void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double shear_modulus, Work<Dim>& w,
+                   Scratch& scratch) {
+  using C = Components<Dim>;
+  w.fails = can_fail(body.material.damage);
+  if (w.fails || EosModel::barotropic)
+    gather_primitives<C::primitives>(body, slot, eos.rho0, w, scratch);
+  else
+    gather_primitives<C::damage>(body, slot, eos.rho0, w, scratch);
+  if (w.fails) find_failed(w, scratch);
   w.impedance = scratch.take<double>(w.wide + vector_length);
   const double c0 = bulk_sound_speed(eos), least = least_sound * c0 * c0;
   const double *rho = w.primitive, *p = w.primitive + C::p * w.wide;
@@ -66,7 +88,7 @@ void add_rates(BodyBlock<Dim>& b, const Work<Dim>& w, double dt) {
   const int width = w.cells.extent(0);
   for_each(rows, [&](const Index<Dim>& r) {
     const int from = w.cells.at(r), to = w.window.cell(r);
-    for (std::size_t c = 0; c < Components<Dim>::contents; ++c) {
+    for (std::size_t c = 0; c < w.carried(); ++c) {
       const double* rate = w.rate + c * w.n + from;
       double* q = b.contents.data() + c * all + to;
 #pragma omp simd

@@ -17,16 +17,22 @@ struct Work {
   Box<Dim> cells;               // of the block that hold matter
   std::size_t n = 0, wide = 0;  // of those cells, of the window's
   double *primitive = nullptr, *impedance = nullptr, *stress = nullptr;
-  std::uint8_t* role = nullptr;  // null where every cell has a value
-  bool whole = false;            // cells are whole and real, or not there at all (ghost fluid)
-  HalfStep ahead{};              // dt 0: three stages
-  double* open = nullptr;        // 1 where a cell has a value for half a step, else 0; null: all have
-  double* rate = nullptr;        // [contents]
-  double* gradient = nullptr;    // [i * Dim + j]: integral of du_i/dx_j
-  double* radial = nullptr;      // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
+  std::uint8_t* role = nullptr;    // null where every cell has a value
+  bool fails = false;              // the matter can fail
+  std::uint8_t* failed = nullptr;  // FailedCell of each cell of the window; null: nothing has failed
+  bool whole = false;              // cells are whole and real, or not there at all (ghost fluid)
+  HalfStep ahead{};                // dt 0: three stages
+  double* open = nullptr;          // 1 where a cell has a value for half a step, else 0; null: all have
+  double* rate = nullptr;          // [contents]
+  double* gradient = nullptr;      // [i * Dim + j]: integral of du_i/dx_j
+  double* radial = nullptr;        // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
+
+  /// Contents that flow: without damage all but that, which stands last.
+  std::size_t carried() const { return carried_contents<Dim>(fails); }
 
   Row<Dim> row(std::ptrdiff_t first, std::ptrdiff_t step, int count) const {
-    return {primitive, stress, impedance, wide, first, step, count, ahead.dt > 0 ? &ahead : nullptr};
+    return {primitive, stress, impedance, wide, first, step, count, ahead.dt > 0 ? &ahead : nullptr,
+            fails,     failed};
   }
 };
 

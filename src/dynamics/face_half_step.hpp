@@ -135,7 +135,7 @@ void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, F
   };
   plain(C::rho);
   const bool only_normal = !Shear;
-  for (int c = C::s; c < C::contents; ++c) {
+  for (int c = C::s; c < static_cast<int>(in.carried()); ++c) {
     bool sheared = false;
     for (int t = 0; t < Dim; ++t) sheared = sheared || (t != Axis && c == C::s + C::stress(Axis, t));
     if (only_normal || !sheared) plain(c);
@@ -233,7 +233,7 @@ void add_transverse(const Row<Dim>& in, int to, FaceValues<Dim>& w) {
   for_each_transverse<Axis>(*in.ahead, [&](const double* change) {
     const auto of = [&](std::size_t c) { return change + c * in.cells + in.first; };
     for (std::size_t c = 0; c < C::primitives; ++c) {
-      if (c == C::p) continue;
+      if (c == C::p || (c >= in.carried() && c < C::contents)) continue;
       const double* t = of(c);
       double* v = w.value[c] + to;
 #pragma omp simd

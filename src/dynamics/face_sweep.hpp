@@ -7,6 +7,7 @@
 #include "cutcell/geometry.hpp"
 #include "dynamics/block_half_step.hpp"
 #include "dynamics/face_rows.hpp"
+#include "dynamics/failed_faces.hpp"
 #include "dynamics/flux_llf.hpp"
 
 namespace recoil::detail {
@@ -38,7 +39,9 @@ void poor_face(const EosModel& eos, double g, const Work<Dim>& w, std::ptrdiff_t
     from[s] = at + (static_cast<std::ptrdiff_t>(s) - 3) * step;
     has[s] = (w.role[from[s]] & valued) != 0;
   }
-  ++counters.faces_without_value;
+  bool dust = false;
+  for (int s = -3; s < 3; ++s) dust = dust || (w.failed && w.failed[at + s * step] != intact);
+  ++(dust ? counters.faces_of_dust : counters.faces_without_value);
   if (!has[2] && !has[3]) {
     for (std::size_t c = 0; c < C::contents; ++c) out.flux[c * out.faces + out.first] = 0;
     for (std::size_t d = 0; d < Dim; ++d) out.velocity[d * out.faces + out.first] = 0;
@@ -67,7 +70,7 @@ void poor_face(const EosModel& eos, double g, const Work<Dim>& w, std::ptrdiff_t
   for (std::size_t d = 0; d < change.size(); ++d)
     if (w.ahead.change[d]) ahead.change[d] = change[d].data();
   const Row<Dim> row{
-      value.data(), stress.data(), impedance.data(), 6, 3, 1, 1, ahead.dt > 0 ? &ahead : nullptr};
+      value.data(), stress.data(), impedance.data(), 6, 3, 1, 1, ahead.dt > 0 ? &ahead : nullptr, w.fails};
   counters.first_order_faces += Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out);
 }
 
@@ -94,7 +97,7 @@ void replace_inadmissible_faces(const EosModel& eos, double g, const Work<Dim>& 
       if (out.area[face] == 0) {
         for (std::size_t c = 0; c < C::contents; ++c) out.flux.flux[c * out.flux.faces + face] = 0;
         for (std::size_t d = 0; d < Dim; ++d) out.flux.velocity[d * out.flux.faces + face] = 0;
-      } else if (w.role && !complete(w, at_cell + i, step)) {
+      } else if (w.role && !complete(w, at_cell + i, step) && !between_voids(w, at_cell + i, step)) {
         poor_face<Dim, Axis, Shear, Scheme>(eos, g, w, at_cell + i, step, out.flux_at(at_face + i), counters);
       }
     }
@@ -140,7 +143,7 @@ void add_fluxes(const Faces<Dim>& in, Work<Dim>& w) {
   for_each(cell_rows, [&](const Index<Dim>& r) {
     const int f = in.box.at(r), k = w.cells.at(r);
     const double *low = area + f, *high = area + f + next;
-    for (std::size_t c = 0; c < Components<Dim>::contents; ++c) {
+    for (std::size_t c = 0; c < w.carried(); ++c) {
       const double* q = flux + c * nf + f;
       double* out = w.rate + c * w.n + k;
 #pragma omp simd
@@ -207,8 +210,15 @@ void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Di
   else
     solve_across_rows<Dim, Axis, Shear>(eos, g, w, out, counters);
   replace_inadmissible_faces<Dim, Axis, Shear, Scheme>(eos, g, w, out, counters);
+  PartedFace<Dim>* parted = nullptr;
+  int apart = 0;
+  if (w.failed) {
+    parted = scratch.take<PartedFace<Dim>>(nf);
+    apart = solve_failed_faces<Dim, Axis, Shear>(eos, g, w, out, parted);
+  }
 
   add_fluxes<Dim, Axis>(out, w);
+  for (int k = 0; k < apart; ++k) part_gradient<Dim, Axis>(out, parted[k], w);
   book_edges(out, w, Axis, booked, edges);
 }
 

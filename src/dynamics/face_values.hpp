@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "field/components.hpp"
 
@@ -23,6 +24,15 @@ struct HalfStep {
   std::array<double*, 4> change{};
 };
 
+/// What has failed in a cell.
+enum FailedCell : std::uint8_t { intact = 0, failed_matter = 1, with_void = 2 };
+
+/// Contents that flow: of matter that cannot fail all but the damage, which stands last.
+template <int Dim>
+constexpr std::size_t carried_contents(bool fails) {
+  return fails ? Components<Dim>::contents : Components<Dim>::damage;
+}
+
 /// Where a row of cells, or of faces, reads. Arrays hold every component of every cell of a window. Cell i of
 /// a row of cells is `first + i`; face i of a row of faces lies between cells `first + i - step` and `first +
 /// i`.
@@ -34,7 +44,11 @@ struct Row {
   std::size_t cells = 0;               // of the window
   std::ptrdiff_t first = 0, step = 1;  // step: distance in memory along the axis
   int count = 0;
-  const HalfStep* ahead = nullptr;  // null: values of the start of the stage are wanted
+  const HalfStep* ahead = nullptr;       // null: values of the start of the stage are wanted
+  bool fails = false;                    // the matter can fail, and carries its damage
+  const std::uint8_t* failed = nullptr;  // FailedCell of the window's cells; null: nothing has failed
+
+  std::size_t carried() const { return carried_contents<Dim>(fails); }
 };
 
 /// Primitives of a row of cells at one of their two faces across an axis.

@@ -112,6 +112,7 @@ void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, 
   plain(C::rho, 1e-6 * eos.rho0 * eos.rho0);
   plain(C::ep, 1e-12);
   plain(C::temperature_rise, 1e-6);
+  if (in.fails) plain(C::damage, 1e-12);
   if constexpr (EosModel::barotropic) plain(C::extra, 1e-2);
 
   const double* z = in.impedance + in.first;
@@ -138,7 +139,7 @@ void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, 
   }
   if constexpr (Dim == 3 && Axis == 2) detail::reconstruct_turned(in, to, low, high);
   if (in.ahead) detail::move_half_step<Dim, Axis, Shear, EosModel>(shear_modulus, in, to, low, high);
-  for (const int c : {C::ep, C::temperature_rise})
+  for (int c = C::ep; c < static_cast<int>(in.carried()); ++c)
     detail::keep_positive(of(c), in.count, low.value[c] + to, high.value[c] + to);
 }
 
@@ -198,6 +199,7 @@ int complete_side(const EosModel& eos, StateBounds bounds, const Row<Dim>& in, s
   for (int i = 0; i < in.count; ++i) {
     double* value = &w.value[0][i + from];
     if (bounds.admit(value[0], own[i], eos.sound_speed_squared(value[0], p[i]))) continue;
+    if (in.failed && in.failed[in.first + i + shift] == with_void) --bad;  // left to solve_failed_faces()
     for (std::size_t c = 0; c < C::primitives; ++c)
       value[c * FaceValues<Dim>::room] = in.primitive[c * in.cells + in.first + i + shift];
     w.stress[i + from] = in.stress[in.first + i + shift];
@@ -322,7 +324,7 @@ int solve_faces(const EosModel& eos, double shear_modulus, const Row<Dim>& in, F
       detail::carry_velocity<Dim, Axis>(t, count, left, right, out);
   }
   const double *mass = out.flux_of(C::rho), *normal_speed = out.velocity_along(Axis);
-  for (std::size_t c = C::s; c < C::contents; ++c) {
+  for (std::size_t c = C::s; c < in.carried(); ++c) {
     const double *l = left.of(c), *r = right.of(c);
     double* f = out.flux_of(c);
 #pragma omp simd

@@ -14,17 +14,38 @@ namespace {
 constexpr double least_judged = 0.02;      // part of a cell below which a state is not judged
 constexpr double admissible_sound = 0.02;  // least c^2, of c0^2
 
+/// Of failed matter only the density is judged, and only from above: the rest of its cell is a void.
 template <int Dim, class EosModel>
 [[gnu::always_inline]] inline bool beyond_equations(const EosModel& eos, const Contents<Dim>& q,
                                                     double volume) {
   using C = Components<Dim>;
   const double rho = q[C::rho] / volume;
+  if (q[C::damage] > 0 && q[C::damage] >= failed_damage * q[C::rho])
+    return !((rho > 0) & (rho < largest_density * eos.rho0));
   const bool possible = (rho > least_density * eos.rho0) & (rho < largest_density * eos.rho0);
   double momentum2 = 0;
   for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
   const double p = eos.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
   const double c0 = bulk_sound_speed(eos);
   return !(possible & (eos.sound_speed_squared(rho, p) >= admissible_sound * c0 * c0));  // true for NaN
+}
+
+/// Matter that can fail has failed where its equation of state ends in tension.
+/// @returns whether it is so.
+template <int Dim, class EosModel>
+bool tear(const EosModel& eos, BodyBlock<Dim>& b, std::size_t k) {
+  using C = Components<Dim>;
+  const std::size_t n = b.volume.size();
+  const double mass = b.contents[k], rho = mass / b.volume[k];
+  double& damage = b.contents[C::damage * n + k];
+  if (!(mass > 0 && rho > 0 && rho < eos.rho0) || damage >= failed_damage * mass) return false;
+  double momentum2 = 0;
+  for (std::size_t d = 0; d < Dim; ++d)
+    momentum2 += b.contents[(C::u + d) * n + k] * b.contents[(C::u + d) * n + k];
+  const double e = (b.contents[C::energy * n + k] - 0.5 * momentum2 / mass) / mass;
+  if (!(eos.pressure(rho, e) < 0)) return false;
+  damage = mass;
+  return true;
 }
 
 }  // namespace
@@ -35,7 +56,7 @@ bool inadmissible(const Material& material, const Contents<Dim>& q, double volum
 }
 
 template <int Dim>
-std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot) {
+std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
   std::int64_t count = 0;
   const Grid<Dim>& grid = state.grid();
@@ -44,13 +65,15 @@ std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slo
   Box<Dim> rows = b.matter;
   const int width = rows.extent(0);
   rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  const bool fails = can_fail(body.material.damage);
   std::visit(
       [&](const auto& eos) {
         const auto is_bad = [&](Index<Dim> i, std::size_t k, int c) {
           i[0] += c;
           const std::size_t at = k + static_cast<std::size_t>(c);
-          Contents<Dim> q;  // what is judged: mass, momentum, energy
+          Contents<Dim> q;  // what is judged: mass, momentum, energy, damage
           for (std::size_t j = 0; j <= Components<Dim>::energy; ++j) q[j] = b.contents[j * n + at];
+          q[Components<Dim>::damage] = fails ? b.contents[Components<Dim>::damage * n + at] : 0.0;
           return (b.volume[at] > least_judged * grid.full_volume(i)) &
                  beyond_equations<Dim>(eos, q, b.volume[at]);
         };
@@ -65,6 +88,10 @@ std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slo
           }
           for (int c = 0; any != 0 && c < width; ++c) {
             if (!is_bad(i, k, c)) continue;
+            if (fails && tear(eos, b, k + static_cast<std::size_t>(c))) {
+              ++counters.torn_states;
+              continue;
+            }
             role[c] |= has_bad_contents;
             ++count;
           }
@@ -129,11 +156,11 @@ void average_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, in
   });
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                     \
-  template bool inadmissible<Dim>(const Material&, const Contents<Dim>&, double);   \
-  template std::int64_t mark_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int); \
-  template bool has_inadmissible<Dim>(const BodyBlock<Dim>&);                       \
-  template void clear_inadmissible<Dim>(BodyBlock<Dim>&);                           \
+#define RECOIL_INSTANTIATE(Dim)                                                                \
+  template bool inadmissible<Dim>(const Material&, const Contents<Dim>&, double);              \
+  template std::int64_t mark_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&); \
+  template bool has_inadmissible<Dim>(const BodyBlock<Dim>&);                                  \
+  template void clear_inadmissible<Dim>(BodyBlock<Dim>&);                                      \
   template void average_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int, int, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

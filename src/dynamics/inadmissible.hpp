@@ -17,9 +17,11 @@ template <int Dim>
 bool inadmissible(const Material& material, const Contents<Dim>& contents, double volume);
 
 /// Marks (Role::has_bad_contents) the fragments of a block above 0.02 of a cell whose state is inadmissible.
-/// @returns how many.
+/// Matter that can fail, and whose equation of state ends in tension, has failed instead: its damage is set
+/// to 1 and counted (torn-states).
+/// @returns how many are marked.
 template <int Dim>
-std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot);
+std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 template <int Dim>
 bool has_inadmissible(const BodyBlock<Dim>& block);
 template <int Dim>

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <variant>
 
+#include "dynamics/failed_matter.hpp"
 #include "dynamics/primitives.hpp"
 #include "material/radial_return.hpp"
 
@@ -14,12 +16,13 @@ namespace {
 constexpr double least_strain = 1e-6, least_heat = 1e-3;  // 1, K: what is nearer to zero is not counted
 
 /// One cell: contents q (distance n between components) of a fragment of volume v.
+/// @returns by how much the plastic strain grows.
 template <int Dim, class StrengthModel>
-void return_cell(const StrengthModel& strength, const TemperatureLaw& law, double* q, std::size_t n, double v,
-                 double dt) {
+double return_cell(const StrengthModel& strength, const TemperatureLaw& law, double* q, std::size_t n,
+                   double v, double dt) {
   using C = Components<Dim>;
   const double mass = q[C::rho * n], rho = mass / v;
-  if (!(rho > 0)) return;
+  if (!(rho > 0)) return 0;
   const double trial2 = equivalent_stress_squared<Dim>(q + C::s * n, n) / (mass * mass);
   const double ep = q[C::ep * n] / mass > 0 ? q[C::ep * n] / mass : 0.0;
   double kinetic = 0;
@@ -29,28 +32,42 @@ void return_cell(const StrengthModel& strength, const TemperatureLaw& law, doubl
   const double temperature = law(rho, e, q[C::temperature_rise * n] / mass);
   const double trial = std::sqrt(trial2);
   const double increment = plastic_increment(strength, trial, ep, temperature, dt);
-  if (!(increment > 0)) return;
+  if (!(increment > 0)) return 0;
   const double left = 1 - 3 * strength.shear_modulus * increment / trial;
   const double scale = left > 0 ? left : 0.0;
   for (std::size_t c = C::s; c < C::ep; ++c) q[c * n] *= scale;
   q[C::ep * n] = mass * (ep + increment);
   q[C::temperature_rise * n] += mass * plastic_heating(law.thermal(), scale * trial, increment, rho);
+  return increment;
 }
 
 }  // namespace
 
 template <int Dim>
-void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt) {
-  if (!has_strength(body.material.strength)) return;
+void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt,
+                     BlockLedger<Dim>& ledger) {
+  const bool fails = can_fail(body.material.damage);
+  if (!has_strength(body.material.strength) && !fails) return;
   BodyBlock<Dim>& b = body.at(slot);
+  const auto number = static_cast<std::size_t>(&body - state.bodies.data());
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
   const auto n = static_cast<std::size_t>(layout.size());
   std::visit(
       [&](const auto& strength) {
         for_each(b.matter, [&](const Index<Dim>& i) {
           const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-          if (b.volume[k] != 0)
-            return_cell<Dim>(strength, body.temperature, b.contents.data() + k, n, b.volume[k], dt);
+          if (b.volume[k] == 0) return;
+          double* const q = b.contents.data() + k;
+          if (!fails) {
+            return_cell<Dim>(strength, body.temperature, q, n, b.volume[k], dt);
+            return;
+          }
+          FailingCell<Dim> cell(body, q, n, b.volume[k]);
+          if (cell.relieve()) return;
+          const bool failed = cell.has_failed();
+          const double growth = return_cell<Dim>(strength, body.temperature, q, n, b.volume[k], dt);
+          ledger.counters.clamped_damage += cell.grow(dt, growth);
+          if (!failed && cell.has_failed()) ledger.failures[number].note(state.time, i);
         });
       },
       body.material.strength);
@@ -105,9 +122,9 @@ void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double
   });
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                         \
-  template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double);       \
-  template std::int64_t clear_negative_strain<Dim>(const State<Dim>&, Body<Dim>&, int); \
+#define RECOIL_INSTANTIATE(Dim)                                                                      \
+  template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double, BlockLedger<Dim>&); \
+  template std::int64_t clear_negative_strain<Dim>(const State<Dim>&, Body<Dim>&, int);              \
   template void combine_with_old<Dim>(const State<Dim>&, Body<Dim>&, int, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

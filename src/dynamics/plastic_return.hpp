@@ -1,17 +1,18 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
+#include "dynamics/stress_invariants.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
 
 /// Radial return of the deviators of one body in one block after a substage of length dt: scales S to the
 /// yield surface, raises ep, and books the plastic heating. The rate of Johnson-Cook is dep/dt of this
-/// substage. Energy, momentum and mass do not change: S and ep carry no budget.
+/// substage. Energy, momentum and mass do not change: S and ep carry no budget. Matter that can fail takes
+/// damage by the way, and what has failed bears no tension (dynamics/failed_matter.hpp).
 template <int Dim>
-void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt);
+void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt, BlockLedger<Dim>& ledger);
 
 /// Sets plastic strain and plastic heating below zero to zero. They carry no budget.
 /// @returns in how many fragments the strain was below -1e-6 or the heating below -1e-3 K.
@@ -23,19 +24,5 @@ std::int64_t clear_negative_strain(const State<Dim>& state, Body<Dim>& body, int
 /// beyond.
 template <int Dim>
 void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double old_weight);
-
-/// Equivalent stress squared, 3/2 S:S [Pa^2].
-template <int Dim>
-double equivalent_stress_squared(const double* s, std::size_t stride) {
-  const auto at = [&](int c) { return s[static_cast<std::size_t>(c) * stride]; };
-  if constexpr (Dim == 1) {
-    return 2.25 * at(0) * at(0);
-  } else {
-    const double zz = at(0) + at(1);
-    double shear = at(2) * at(2);
-    if constexpr (Dim == 3) shear += at(3) * at(3) + at(4) * at(4);
-    return 1.5 * (at(0) * at(0) + at(1) * at(1) + zz * zz + 2 * shear);
-  }
-}
 
 }  // namespace recoil

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "core/error.hpp"
+#include "dynamics/failed_matter.hpp"
 
 namespace recoil {
 
@@ -16,7 +17,8 @@ namespace {
 // A donor is averaged where it fills more than this part of a cell and its density lies between these
 // multiples of rho0 (of the stages of a step only: at its start the donor's fill has been judged).
 constexpr double least_averaged = 0.1, thinnest_averaged = 0.2, densest_averaged = 3;
-constexpr double thinnest_used = 0.2;  // of rho0: a fragment below it is of no use to fits and stencils
+constexpr double thinnest_used = 0.2;  // of rho0: a fragment below it is of no use to fits and stencils ...
+constexpr double thinnest_failed = 1e-3;  // ... unless it has failed: then most of it may be void
 
 template <int Dim>
 std::string place_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
@@ -94,6 +96,7 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
     });
   } else {
     // Runs of good donors go through the same loop as whole rows.
+    const double thinnest = can_fail(body.material.damage) ? thinnest_failed : thinnest_averaged;
     std::size_t first = 0, count = 0;
     const auto flush = [&] {
       if (count > 0)
@@ -103,8 +106,8 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
     for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
       const double volume = b.volume[k], rho = b.contents[k] / volume;
       const bool donor = (b.role[k] & donates) != 0;
-      if (donor && volume > least_averaged * state.grid().full_volume(i) &&
-          rho > thinnest_averaged * eos.rho0 && rho < densest_averaged * eos.rho0) {
+      if (donor && volume > least_averaged * state.grid().full_volume(i) && rho > thinnest * eos.rho0 &&
+          rho < densest_averaged * eos.rho0) {
         if (count > 0 && k != first + count) flush();
         if (count == 0) first = k;
         ++count;
@@ -127,6 +130,10 @@ template <int Dim>
 void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
   const double rho0 = density(body.material);
+  const bool fails = can_fail(body.material.damage);
+  const auto has_failed = [&](std::size_t k) {
+    return b.contents[Components<Dim>::damage * b.volume.size() + k] >= failed_damage * b.contents[k];
+  };
   const double densest = std::visit([](const auto& eos) { return eos.largest_density(); }, body.material.eos);
   for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     const double fill = b.volume[k] / state.grid().full_volume(i);
@@ -136,7 +143,7 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
     const double rho = role != 0 ? b.contents[k] / b.volume[k] : rho0;
     if (fill >= regular_fill && !(rho < densest))
       refuse_density(state, body, slot, i - state.mesh.block(slot).cells.lo, k);
-    if (role != 0 && !(rho > thinnest_used * rho0)) {
+    if (role != 0 && !(rho > (fails && has_failed(k) ? thinnest_failed : thinnest_used) * rho0)) {
       ++counters.fragments_too_thin;
       role = 0;
     }
@@ -149,6 +156,7 @@ void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Coun
   BodyBlock<Dim>& b = body.at(slot);
   if (b.average.empty()) b.average.swap(b.stencil);  // which are over: they share their memory
   std::visit([&](const auto& eos) { average_block(state, eos, body, slot, counters); }, body.material.eos);
+  if (can_fail(body.material.damage)) relieve_averages(state, body, slot);
 }
 
 template <int Dim>
@@ -157,6 +165,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   const BodyBlock<Dim>& b = body.at(slot);
   const auto n = static_cast<std::size_t>(state.grid().layout().size());
   const double g = shear_modulus(body.material);
+  const bool fails = can_fail(body.material.damage);
   double fastest = 0;
   std::visit(
       [&](const auto& eos) {
@@ -167,7 +176,8 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
           const double c2 = eos.sound_speed_squared(rho, p);
           double sum = 0;
           for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(b.average[(C::u + d) * n + k]);
-          if (!std::isfinite(sum + c2) || !(rho > 0) || !eos.admissible(rho))
+          const bool dust = fails && p == 0 && b.average[C::damage * n + k] >= failed_damage;
+          if (!std::isfinite(sum + c2) || !(rho > 0) || !(dust || eos.admissible(rho)))
             throw PhysicsError(fmt::format(
                 "{} has no admissible state at {}: density {:.6g} kg/m3, pressure {:.6g} GPa", body.name,
                 place_of(state, slot, i - state.mesh.block(slot).cells.lo), rho, p * 1e-9));

@@ -6,12 +6,13 @@
 namespace recoil {
 
 /// Numbers of the components of a body's matter. Contents (extensive) and primitives share their places:
-///   contents   rho, rho u [Dim], rho E, rho S [stresses], rho ep, rho theta           (times volume)
-///   primitives rho,     u [Dim], p,         S [stresses],     ep,     theta, extra
+///   contents   rho, rho u [Dim], rho E, rho S [stresses], rho ep, rho theta, rho D        (times volume)
+///   primitives rho,     u [Dim], p,         S [stresses],     ep,     theta,     D,     extra
 /// S is the deviator; its out-of-plane part follows from the trace: 1-D holds xx; planar xx, yy, xy;
 /// axisymmetric rr, zz, rz; 3-D xx, yy, xy, xz, yz. `theta` is the temperature rise by plastic work [K]
-/// (temperature_rise);
-/// `extra` is e - e_eos(rho, p) [J/kg], used by equations of state whose pressure does not know e.
+/// (temperature_rise); D is the damage, 1 where matter has failed. D stands last of the contents, so that
+/// kernels may leave it out where matter cannot fail. `extra` is e - e_eos(rho, p) [J/kg], used by equations
+/// of state whose pressure does not know e, and by failed matter with voids.
 template <int Dim>
 struct Components {
   static constexpr int stresses = Dim == 1 ? 1 : Dim == 2 ? 3 : 5;
@@ -22,7 +23,8 @@ struct Components {
   static constexpr int s = 2 + Dim;
   static constexpr int ep = s + stresses;
   static constexpr int temperature_rise = ep + 1;
-  static constexpr int contents = temperature_rise + 1;
+  static constexpr int damage = temperature_rise + 1;
+  static constexpr int contents = damage + 1;
   static constexpr int extra = contents;
   static constexpr int primitives = contents + 1;
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <variant>
 
+#include "dynamics/failed_matter.hpp"
 #include "dynamics/plastic_return.hpp"
 #include "dynamics/primitives.hpp"
 
@@ -11,9 +12,14 @@ namespace recoil {
 template <int Dim>
 PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents, double volume) {
   using C = Components<Dim>;
-  const Primitives<Dim> w = std::visit(
-      [&](const auto& eos) { return to_primitives<Dim>(eos, contents, volume); }, body.material.eos);
   PointState<Dim> p;
+  const Primitives<Dim> w = std::visit(
+      [&](const auto& eos) {
+        Primitives<Dim> w = to_primitives<Dim>(eos, contents, volume);
+        p.has_void = relieve<Dim>(eos, w);
+        return w;
+      },
+      body.material.eos);
   p.density = w[C::rho];
   for (int d = 0; d < Dim; ++d) p.velocity[d] = w[C::u + d];
   p.pressure = w[C::p];
@@ -28,9 +34,12 @@ PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents
   const double mises2 = equivalent_stress_squared<Dim>(w.data() + C::s, 1);
   p.von_mises = std::sqrt(mises2);
   p.plastic_strain = w[C::ep];
+  p.damage = w[C::damage];
   p.thermal_energy = contents[C::energy] / contents[C::rho] - 0.5 * dot(p.velocity, p.velocity) -
                      distortion_energy(mises2, shear_modulus(body.material), p.density);
-  p.temperature = body.temperature(p.density, p.thermal_energy, w[C::temperature_rise]);
+  const double solid = p.has_void ? solid_fraction(body.material.eos, p.density, p.thermal_energy) : 1.0;
+  p.void_fraction = 1 - solid;
+  p.temperature = body.temperature(p.density / solid, p.thermal_energy, w[C::temperature_rise]);
   return p;
 }
 

@@ -20,6 +20,9 @@ struct PointState {
   std::array<double, stresses> stress{};       // Pa, positive in tension, in the order of RunUnits::stresses
   double von_mises = 0;                        // Pa
   double plastic_strain = 0, temperature = 0;  // 1, K
+  double damage = 0;                           // 1: failed
+  bool has_void = false;                       // failed matter that bears no tension
+  double void_fraction = 0;                    // part of the volume
   double thermal_energy = 0;                   // J/kg, internal without that of elastic distortion
 };
 

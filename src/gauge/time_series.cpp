@@ -101,6 +101,21 @@ Peak peak_of(const Curve& curve) {
   return peak;
 }
 
+PullBack pull_back_of(const Curve& curve) {
+  constexpr double rebound = 0.1;  // of the fall
+  if (curve.y.empty()) return {};
+  const auto peak =
+      static_cast<std::size_t>(std::max_element(curve.y.begin(), curve.y.end()) - curve.y.begin());
+  std::size_t lowest = peak;
+  for (std::size_t i = peak; i < curve.y.size(); ++i) {
+    if (curve.y[i] < curve.y[lowest]) lowest = i;
+    const double fall = curve.y[peak] - curve.y[lowest];
+    if (fall > 0 && curve.y[i] - curve.y[lowest] > rebound * fall)
+      return {fall, curve.t[peak], curve.t[lowest]};
+  }
+  return {};
+}
+
 double least_over(const Curve& curve, double from, double to) {
   double least = nothing;
   for (const double t : knots(curve, from, to)) least = std::fmin(least, value_at(curve, t));

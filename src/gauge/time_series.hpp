@@ -50,6 +50,13 @@ struct Peak {
 };
 Peak peak_of(const Curve& curve);
 
+/// The pull-back of a free-surface velocity: from its largest value down to the lowest one that follows it
+/// before the record rises again by a tenth of that fall. NaN where it does not rise again.
+struct PullBack {
+  double fall = std::numeric_limits<double>::quiet_NaN(), peak_time = fall, time = fall;
+};
+PullBack pull_back_of(const Curve& curve);
+
 /// Smallest and largest value over [from, to], of the points and of the ends; NaN where the curve does not
 /// reach that far.
 double least_over(const Curve& curve, double from, double to);

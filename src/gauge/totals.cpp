@@ -21,7 +21,7 @@ template <int Dim>
 struct At {
   static constexpr std::size_t mass = 0, momentum = 1, kinetic = momentum + Dim, energy = kinetic + 1,
                                volume = energy + 1, speed = volume + 1, cells = speed + 1, place = cells + 1,
-                               angular = place + Dim, sums = angular + 3;
+                               angular = place + Dim, failed = angular + 3, sums = failed + 1;
   static constexpr std::size_t strain = sums, highest = strain + 1, minus_lowest = highest + Dim,
                                all = minus_lowest + Dim;
 };
@@ -34,9 +34,10 @@ void sum_row(const BodyBlock<Dim>& b, std::size_t first, std::size_t count, cons
   using A = At<Dim>;
   const std::size_t n = b.volume.size();
   const double *q = b.contents.data() + first, *v = b.volume.data() + first;
-  double mass = 0, kinetic = 0, energy = 0, volume = 0, speed = 0, moment = 0, cells = 0;
+  const double* const damage = q + C::damage * n;
+  double mass = 0, kinetic = 0, energy = 0, volume = 0, speed = 0, moment = 0, cells = 0, failed = 0;
   std::array<double, Dim> momentum{};
-#pragma omp simd reduction(+ : mass, kinetic, energy, volume, speed, moment, cells)
+#pragma omp simd reduction(+ : mass, kinetic, energy, volume, speed, moment, cells, failed)
   for (std::size_t k = 0; k < count; ++k) {
     const double m = q[k];
     double p2 = 0;
@@ -51,6 +52,7 @@ void sum_row(const BodyBlock<Dim>& b, std::size_t first, std::size_t count, cons
     speed += std::sqrt(p2);
     moment += m * static_cast<double>(k);
     cells += v[k] != 0 ? 1.0 : 0.0;
+    failed += damage[k] > 0 && damage[k] >= failed_damage * m ? m : 0.0;
   }
   Vec<3> sum, lever;  // of momentum, and of momentum times the distance from `start` in cells
   for (std::size_t d = 0; d < Dim; ++d) {
@@ -70,7 +72,7 @@ void sum_row(const BodyBlock<Dim>& b, std::size_t first, std::size_t count, cons
   const Vec<3> whole = cross(from, sum) + about_start;
   for (std::size_t d = 0; d < 3; ++d) out[A::angular + d] += whole[static_cast<int>(d)];
   out[A::mass] += mass, out[A::kinetic] += kinetic, out[A::energy] += energy, out[A::volume] += volume;
-  out[A::speed] += speed, out[A::cells] += cells;
+  out[A::speed] += speed, out[A::cells] += cells, out[A::failed] += failed;
   for (std::size_t d = 0; d < Dim; ++d) {
     out[A::momentum + d] += momentum[d];
     out[A::place + d] += mass * start[static_cast<int>(d)];
@@ -139,6 +141,7 @@ BodyTotals<Dim> take_body(std::span<const double> row) {
   BodyTotals<Dim> t;
   t.mass = row[A::mass], t.kinetic = row[A::kinetic], t.energy = row[A::energy], t.volume = row[A::volume];
   t.speed = row[A::speed], t.cells = std::llround(row[A::cells]);
+  t.failed = row[A::failed];
   t.plastic_strain = std::max(row[A::strain], 0.0);
   for (int d = 0; d < 3; ++d) t.angular_momentum[d] = row[A::angular + static_cast<std::size_t>(d)];
   for (int d = 0; d < Dim; ++d) {

@@ -22,6 +22,7 @@ struct BodyTotals {
   Vec<3> angular_momentum;    // kg m2/s about the origin: x cross m u at the centres of cells; planar: the
                               // third; 0 in 1d, and of no meaning where axisymmetric
   double plastic_strain = 0;  // largest, in fragments of at least 0.3 of a cell
+  double failed = 0;          // kg of matter that has failed
   Vec<Dim> lowest, highest;   // m, extent; NaN where the body is nowhere
   std::int64_t cells = 0;     // with matter
 

@@ -25,6 +25,8 @@ using namespace model_keys;
 
 constexpr const char* eos_doc = "which equation of state";
 constexpr const char* strength_doc = "which strength model";
+constexpr const char* damage_doc = "which damage model: how matter comes to fail";
+constexpr const char* failed_doc = "what failed matter still bears";
 
 std::vector<Key> top_keys(bool in_case) {
   std::vector<Key> keys{
@@ -41,6 +43,10 @@ std::vector<Key> top_keys(bool in_case) {
        .type = Key::Type::table,
        .required = true,
        .doc = "strength: a table with its kind, at least { kind = \"none\" }"},
+      {.name = "damage",
+       .type = Key::Type::table,
+       .doc = "how it fails: a table with its kind; without it matter never fails"},
+      {.name = "failed", .type = Key::Type::table, .doc = failed_doc},
       {.name = "thermal",
        .type = Key::Type::table,
        .required = true,
@@ -107,11 +113,13 @@ Thermal read_thermal(const Node& table, Diagnostics& out) {
   return thermal;
 }
 
-Facts read_facts(const Node& table, Diagnostics& out) {
-  const std::vector<Key> keys = keys_of_model<Facts>(false);
-  Facts facts;
-  take(facts, read_record(table, keys, out));
-  return facts;
+/// A table of constants without a kind.
+template <class Model>
+Model read_constants(const Node& table, Diagnostics& out) {
+  const std::vector<Key> keys = keys_of_model<Model>(false);
+  Model model;
+  take(model, read_record(table, keys, out));
+  return model;
 }
 
 std::string kind_of(const Node& material, const char* part) {
@@ -174,6 +182,7 @@ std::optional<Node> with_base(const Node& table, Search& search) {
   if (!base) return std::nullopt;
   keep_common<Eos>(*base, over, "eos");
   keep_common<Strength>(*base, over, "strength");
+  keep_common<Damage>(*base, over, "damage");
   return merged(*base, over);
 }
 
@@ -261,7 +270,9 @@ std::optional<Material> read_material(const std::string& name, const Node& table
   if (record.good("eos")) read_model(*record.node("eos"), eos_doc, material.eos, out);
   if (record.good("strength")) read_model(*record.node("strength"), strength_doc, material.strength, out);
   if (record.good("thermal")) material.thermal = read_thermal(*record.node("thermal"), out);
-  if (record.good("facts")) material.facts = read_facts(*record.node("facts"), out);
+  if (record.good("damage")) read_model(*record.node("damage"), damage_doc, material.damage, out);
+  if (record.good("failed")) material.failed = read_constants<FailedMatter>(*record.node("failed"), out);
+  if (record.good("facts")) material.facts = read_constants<Facts>(*record.node("facts"), out);
   if (out.error_count() > errors) return std::nullopt;
   return material;
 }
@@ -281,6 +292,8 @@ std::vector<config::Section> material_sections() {
   all.push_back({"material.*", "a material of this case", top_keys(true)});
   add_sections<Eos>(all, "material.*.eos", eos_doc);
   add_sections<Strength>(all, "material.*.strength", strength_doc);
+  add_sections<Damage>(all, "material.*.damage", damage_doc);
+  all.push_back({"material.*.failed", failed_doc, keys_of_model<FailedMatter>()});
   all.push_back({"material.*.thermal", "heat and temperature", thermal_keys()});
   all.push_back({"material.*.facts", "for checks of plausibility only", keys_of_model<Facts>(false)});
   return all;
@@ -295,6 +308,10 @@ std::string to_toml(const Material& m, const std::string& table) {
   if (!m.doubt.empty()) text += "doubt = " + quoted(m.doubt) + "\n";
   text += "\n[" + prefix + "eos]\n" + model_lines(m.eos);
   text += "\n[" + prefix + "strength]\n" + model_lines(m.strength);
+  if (can_fail(m.damage)) {
+    text += "\n[" + prefix + "damage]\n" + model_lines(m.damage);
+    text += "\n[" + prefix + "failed]\n" + lines_of(m.failed);
+  }
   const bool by_energy = m.thermal.rule == Thermal::Rule::energy;
   text += "\n[" + prefix + "thermal]\ntemperature = " + (by_energy ? "\"energy\"\n" : "\"plastic-work\"\n");
   text += lines_of(m.thermal);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "material/damage/damage.hpp"
 #include "material/eos/eos.hpp"
 #include "material/strength/strength.hpp"
 #include "material/temperature.hpp"
@@ -30,6 +31,22 @@ struct Facts {
   }
 };
 
+/// What failed matter still bears: no tension, and under pressure a von Mises stress of at most
+/// yield + friction p, nor more than it did before.
+struct FailedMatter {
+  double yield = 0;     // Pa
+  double friction = 0;  // 1
+
+  static constexpr auto parameters() {
+    using P = Parameter<FailedMatter>;
+    return std::array{
+        P{"yield", "Pa", &FailedMatter::yield, 0, 1e13, "yield stress of failed matter"},
+        P{"friction", "1", &FailedMatter::friction, 0, 10, "growth of that yield stress with the pressure"}};
+  }
+
+  double limit(double pressure) const { return yield + friction * (pressure > 0 ? pressure : 0); }
+};
+
 /// What one kind of matter does at a point.
 struct Material {
   std::string name;               // "copper/seed", or the NAME of a case's [material.NAME]
@@ -37,6 +54,8 @@ struct Material {
   std::vector<std::string> cite;  // sources: keys of the bibliography
   Eos eos;
   Strength strength;
+  Damage damage;
+  FailedMatter failed;
   Thermal thermal;
   Facts facts;
   std::string doubt;  // what its constants may be wrong in; empty: no doubt is known

@@ -254,6 +254,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
   for (auto& l : state.ledger) {
     l.pairs.resize(n * (n - 1) / 2);
     l.edges.resize(n);
+    l.failures.resize(n);
   }
   return state;
 }

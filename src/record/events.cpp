@@ -72,8 +72,11 @@ struct EventWatch::Parts {
   std::vector<Event> events, news;
 
   void add(const Watched& w, double time, const char* kind, std::vector<double> place, std::string detail) {
-    Event e{time, kind, w.story.first + "-" + w.story.second, std::move(place), std::move(detail)};
-    const auto later = std::upper_bound(events.begin(), events.end(), time,
+    add({time, kind, w.story.first + "-" + w.story.second, std::move(place), std::move(detail)});
+  }
+
+  void add(Event e) {
+    const auto later = std::upper_bound(events.begin(), events.end(), e.time,
                                         [](double t, const Event& other) { return t < other.time; });
     news.push_back(e);
     events.insert(later, std::move(e));
@@ -306,6 +309,12 @@ void EventWatch::lift_off(std::size_t pair, double time, const std::vector<doubl
     w.story.lift_last = time;
     w.lift_place = place;
   }
+}
+
+void EventWatch::failure(const std::string& body, double time, std::vector<double> place) {
+  const auto same = [&](const Event& e) { return e.kind == "failure" && e.bodies == body; };
+  if (std::any_of(parts_->events.begin(), parts_->events.end(), same)) return;
+  parts_->add({time, "failure", body, std::move(place), "its matter fails for the first time"});
 }
 
 void EventWatch::finish() {

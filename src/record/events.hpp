@@ -15,8 +15,8 @@ namespace recoil {
 /// One thing that happened: a line of events.csv and of the live display.
 struct Event {
   double time = 0;            ///< s
-  std::string kind;           ///< contact, opening, separation, reclosure, ricochet or lift-off
-  std::string bodies;         ///< "flyer-target"
+  std::string kind;           ///< contact, opening, separation, reclosure, ricochet, lift-off or failure
+  std::string bodies;         ///< "flyer-target"; of a failure "target"
   std::vector<double> place;  ///< m, mean place of the contact; one component per axis, empty: none
   std::string detail;
 
@@ -89,6 +89,8 @@ class EventWatch {
             const std::vector<BodyMotion>& motion);
   /// A place where the pair's surfaces parted at `time` while the pair touched elsewhere.
   void lift_off(std::size_t pair, double time, const std::vector<double>& place);
+  /// The first failure of a body's matter; later calls for the same body do nothing.
+  void failure(const std::string& body, double time, std::vector<double> place);
   /// Believes the openings that are still on trial; adds lift-offs and ricochets.
   void finish();
 

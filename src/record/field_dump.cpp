@@ -59,6 +59,8 @@ void write_state(const FieldVariable& v, const PointState<Dim>& p, float* to) {
   if (name == "density") put(p.density);
   if (name == "plastic-strain") put(p.plastic_strain);
   if (name == "temperature") put(p.temperature);
+  if (name == "damage") put(p.damage);
+  if (name == "void-fraction") put(p.void_fraction);
   if (name == "stress")
     for (const int c : stress_order<Dim>()) put(c < 0 ? 0 : p.stress[c] * 1e-9);
   if (name == "von-mises") put(p.von_mises * 1e-9);
@@ -184,6 +186,8 @@ const std::vector<FieldVariable>& field_variables() {
       {"density", "density_kg_per_m3", "density [kg/m\u00b3]", 1, false},
       {"plastic-strain", "plastic_strain", "plastic strain", 1, false},
       {"temperature", "temperature_K", "temperature [K]", 1, false},
+      {"damage", "damage", "damage: 1 failed", 1, false},
+      {"void-fraction", "void_fraction", "void fraction", 1, false},
       {"stress", "stress_GPa", "stress [GPa]", 6, true},
       {"von-mises", "von_mises_GPa", "von Mises stress [GPa]", 1, false},
       {"volume-fraction", "volume_fraction", "volume fraction", 1, false},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "core/error.hpp"
 
@@ -48,9 +49,26 @@ void add_contacts(Quantities& q, const EventWatch& events) {
       q.flags[name + ".separates"] = !std::isnan(s.separates);
       q.flags[name + ".recloses"] = s.recloses;
     }
-  for (const char* kind : {"contact", "opening", "separation", "reclosure", "ricochet", "lift-off"})
+  for (const char* kind :
+       {"contact", "opening", "separation", "reclosure", "ricochet", "lift-off", "failure"})
     q.flags[std::string("event.") + kind] = false;
   for (const Event& e : events.events()) q.flags["event." + e.kind] = true;
+}
+
+/// Time and place of the first failure of each body that can deform; NaN where it has not failed.
+void add_failures(Quantities& q, const std::vector<std::string>& names, const std::vector<bool>& rigid,
+                  const RunUnits& units, const EventWatch& events) {
+  constexpr double never = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    if (rigid[m]) continue;
+    const auto same = [&](const Event& e) { return e.kind == "failure" && e.bodies == names[m]; };
+    const auto event = std::find_if(events.events().begin(), events.events().end(), same);
+    const bool failed = event != events.events().end();
+    const std::string name = "failure." + names[m];
+    q.numbers[name + ".time"] = failed ? event->time : never;
+    for (std::size_t d = 0; d < units.axes.size(); ++d)
+      q.numbers[name + "." + units.axes[d]] = failed ? event->place[d] : never;
+  }
 }
 
 }  // namespace
@@ -69,6 +87,7 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
     add_body(q, units, name, b);
     q.numbers[name + ".volume"] = units.whole * b.volume;
     q.numbers[name + ".plastic-strain"] = b.plastic_strain;
+    q.numbers[name + ".failed-mass"] = units.whole * b.failed;
     add_vector(q, units, name + ".velocity", b.momentum, 1 / b.mass);
     add_vector(q, units, name + ".position", b.place, 1 / b.mass);
     add_vector(q, units, name + ".lowest", b.lowest);
@@ -85,6 +104,7 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
   for (const auto& [name, count] : floors) q.numbers["floor." + name] = static_cast<double>(count);
   q.numbers["run.steps"] = static_cast<double>(steps);
   add_contacts(q, events);
+  add_failures(q, names, rigid, units, events);
   return q;
 }
 

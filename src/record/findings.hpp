@@ -15,11 +15,11 @@ namespace recoil {
 
 /// All numbers and flags that an expectation can name, from its last sums, balances and events; gauges are
 /// added by the caller.
-///   body.NAME.  mass, kinetic, internal, energy, volume, plastic-strain, and by AXIS momentum, velocity,
-///   position, lowest, highest body.total. mass, kinetic, internal, energy, and by AXIS momentum
+///   body.NAME.  mass, kinetic, internal, energy, volume, plastic-strain, failed-mass, and by AXIS momentum,
+///   velocity, position, lowest, highest body.total. mass, kinetic, internal, energy, and by AXIS momentum
 ///   budget.NAME.mass|momentum|energy; floor.NAME; run.steps
 ///   contact.A-B.made|opens|separates|lasts|recloses|reopens|restitution in either order of the names;
-///   event.KIND
+///   event.KIND; failure.BODY.time and by AXIS, of the first failure of a body's matter
 /// With one axis only, vectors also go by their name without it.
 template <int Dim>
 Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::string>& names,

@@ -38,8 +38,8 @@ struct Request {
   std::string quantity, gauge, column, reduction, argument;
 };
 
-constexpr const char* reductions[] = {"at",   "peak", "last",    "max",   "min",
-                                      "mean", "rms",  "arrival", "until", "error"};
+constexpr const char* reductions[] = {"at",  "peak",    "last",  "max",   "min",     "mean",
+                                      "rms", "arrival", "until", "error", "pullback"};
 
 Request parse_request(const std::string& quantity) {
   Request r;
@@ -63,13 +63,13 @@ Request parse_request(const std::string& quantity) {
   } else if (at != std::string::npos) {
     r.reduction = "at";
   } else {
-    throw InputError(
-        fmt::format("error: the quantity '{}' does not say which value of the record\n"
-                    "   = help: append @TIME, .peak, .last, .max, .min, .mean@FROM..TO, .rms@FROM..TO, "
-                    ".arrival@LEVEL or .until@LEVEL",
-                    quantity));
+    throw InputError(fmt::format(
+        "error: the quantity '{}' does not say which value of the record\n"
+        "   = help: append @TIME, .peak, .last, .pullback, .max, .min, .mean@FROM..TO, .rms@FROM..TO, "
+        ".arrival@LEVEL or .until@LEVEL",
+        quantity));
   }
-  const bool bare = r.reduction == "peak" || r.reduction == "last";
+  const bool bare = r.reduction == "peak" || r.reduction == "last" || r.reduction == "pullback";
   const bool either = r.reduction == "max" || r.reduction == "min";
   if (!either && bare != r.argument.empty())
     throw InputError(fmt::format("error: the quantity '{}': '{}' {}", quantity, r.reduction,
@@ -141,6 +141,7 @@ double reduce(const Quantities& q, const Request& r, const TimeSeries& series, s
   if (r.reduction == "at")
     return value_at(curve, number_of(r.quantity, r.argument, config::si_unit_of(series.over.unit)));
   if (r.reduction == "peak") return peak_of(curve).value;
+  if (r.reduction == "pullback") return pull_back_of(curve).fall;
   if (r.reduction == "last") return curve.y.empty() ? nothing : curve.y.back();
   if (r.reduction == "max" || r.reduction == "min") return extreme(r, curve, series.over);
   if (r.reduction == "arrival")

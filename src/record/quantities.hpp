@@ -17,6 +17,7 @@ namespace recoil {
 ///              @3.8us             the value then, linear between records; also .at@3.8us
 ///              .peak              the value of the largest magnitude, with its sign
 ///              .last              the last value
+///              .pullback          the fall from the largest value to the first minimum behind it
 ///              .max, .min         the largest and the smallest value; also over a time: .max@0.2us..0.5us
 ///              .mean@0.2us..0.5us the mean over that time
 ///              .rms@0.2us..0.5us  the root of the mean squared deviation from that mean

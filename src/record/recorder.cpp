@@ -74,6 +74,7 @@ void Recorder<Dim>::after_step(const State<Dim>& state, double dt) {
   if (history) p.history_due.done(state.time);
   p.gauges.record(state.time, dt, p.sums, p.pairs, bodies ? &totals : nullptr);
   p.follow_contacts(state, history || bodies ? &totals : nullptr);
+  p.follow_failures(state);
   p.look_for_lift_off(state);
   p.save_events();
   p.dump_if_due(state);

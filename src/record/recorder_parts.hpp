@@ -131,6 +131,7 @@ struct Recorder<Dim>::Parts {
   bool stopped = false;
   Due history_due, fields_due;
   std::vector<PairSample> pairs;
+  std::vector<bool> failure_told;  // by body: its first failure is known
   double history_last = -1, started = 0, status_last = 0, dt = 0;
   std::size_t events_written = 0;
 
@@ -152,7 +153,8 @@ struct Recorder<Dim>::Parts {
         survey(state, c.limits),
         history_due(c.output.history.every),
         fields_due(c.output.fields.every),
-        pairs(pair_count()) {}
+        pairs(pair_count()),
+        failure_told(names.size(), false) {}
 
   void open_tables(CsvMode mode) {
     if (!first()) return;
@@ -196,6 +198,25 @@ struct Recorder<Dim>::Parts {
       motion = motion_of(state, totals == nullptr ? own : *totals);
     }
     if (first()) events.step(state.time, dt, pairs, motion);
+  }
+
+  /// Takes the first failure of each body into account. Collective.
+  void follow_failures(const State<Dim>& state) {
+    for (std::size_t m = 0; m < state.bodies.size(); ++m) {
+      if (failure_told[m] || rigid[m] || !can_fail(state.bodies[m].material.damage)) continue;
+      FailureRecord<Dim> own;
+      for (const auto& ledger : state.ledger) own.merge(ledger.failures[m]);
+      if (!world.any(own.time < infinite)) continue;
+      failure_told[m] = true;
+      parallel::Bytes bytes;
+      parallel::pack(bytes, own);
+      FailureRecord<Dim> first_one;
+      for (const auto& from : world.gather(bytes))
+        first_one.merge(parallel::Unpacker(from).template read<FailureRecord<Dim>>());
+      if (!first()) continue;
+      const Vec<Dim> x = state.grid().centre(first_one.cell);
+      events.failure(names[m], first_one.time, {x.c.begin(), x.c.end()});
+    }
   }
 
   void look_for_lift_off(const State<Dim>& state) {

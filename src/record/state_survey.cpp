@@ -9,6 +9,7 @@
 
 #include "dynamics/inadmissible.hpp"
 #include "dynamics/primitives.hpp"
+#include "dynamics/stress_invariants.hpp"
 #include "gauge/point_state.hpp"
 #include "parallel/archive.hpp"
 
@@ -29,23 +30,22 @@ double bulk_modulus(const Material& m) {
   return density(m) * c * c;
 }
 
-/// The largest principal stress [Pa]: O. K. Smith, Comm. ACM 4 (1961) 168.
+/// The largest principal stress [Pa].
 template <int Dim>
 double largest_principal(const PointState<Dim>& p) {
-  if constexpr (Dim == 1) return std::max(p.stress[0], p.stress[1]);
-  if constexpr (Dim == 2) {
-    const double mean = 0.5 * (p.stress[0] + p.stress[1]), half = 0.5 * (p.stress[0] - p.stress[1]);
-    return std::max(mean + std::hypot(half, p.stress[2]), p.stress[3]);
-  }
-  if constexpr (Dim == 3) {
-    const double mean = -p.pressure, xx = p.stress[0] - mean, yy = p.stress[1] - mean, xy = p.stress[2],
-                 xz = p.stress[3], yz = p.stress[4], zz = p.stress[5] - mean;
-    const double j2 = 0.5 * (xx * xx + yy * yy + zz * zz) + xy * xy + xz * xz + yz * yz;
-    if (!(j2 > 0)) return mean;
-    const double j3 = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-    const double cosine = std::clamp(1.5 * std::numbers::sqrt3 * j3 / (j2 * std::sqrt(j2)), -1.0, 1.0);
-    return mean + 2 * std::sqrt(j2 / 3) * std::cos(std::acos(cosine) / 3);
-  }
+  std::array<double, Components<Dim>::stresses> deviator;
+  for (std::size_t c = 0; c < deviator.size(); ++c)
+    deviator[c] = p.stress[c] + (c < (Dim == 1 ? 1U : 2U) ? p.pressure : 0);
+  return largest_principal_deviator<Dim>(deviator.data(), 1) - p.pressure;
+}
+
+/// What is solid of a fragment: all of it, but of failed matter.
+template <int Dim>
+double solid_part(const Body<Dim>& body, int slot, std::size_t k) {
+  const BodyBlock<Dim>& b = body.at(slot);
+  const double damage = b.contents[Components<Dim>::damage * b.volume.size() + k];
+  if (!(damage > 0 && damage >= failed_damage * b.contents[k] && b.volume[k] > 0)) return 1;
+  return 1 - point_state(body, contents_of(b, static_cast<int>(k)), b.volume[k]).void_fraction;
 }
 
 }  // namespace
@@ -58,8 +58,9 @@ StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& lim
     Bounds& b = bounds_.emplace_back();
     if (body.rigid) continue;
     const Facts& facts = m.facts;
-    b.tension = std::isnan(facts.spall_strength) ? limits.largest_tension * bulk_modulus(m)
-                                                 : limits.spall_strength * facts.spall_strength;
+    b.tension = can_fail(m.damage)                 ? infinite
+                : std::isnan(facts.spall_strength) ? limits.largest_tension * bulk_modulus(m)
+                                                   : limits.spall_strength * facts.spall_strength;
     const auto* softening = std::get_if<JohnsonCook>(&m.strength);
     b.softens = softening != nullptr;
     b.melting = softening != nullptr                    ? softening->melting_temperature
@@ -129,8 +130,9 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
        p.temperature - coldest, 0);
   if (fill < whole_fill) return;
   const double rho0 = density(body.material);
-  note(StateCheck::density, std::max(least_density * rho0 - p.density, p.density - largest_density * rho0),
-       p.density, p.density > rho0 ? largest_density * rho0 : least_density * rho0);
+  const double sparse = p.damage >= failed_damage ? 0 : least_density * rho0 - p.density;
+  note(StateCheck::density, std::max(sparse, p.density - largest_density * rho0), p.density,
+       p.density > rho0 ? largest_density * rho0 : least_density * rho0);
   const Bounds& bounds = bounds_[m];
   const double tension = largest_principal(p);
   note(StateCheck::tension, tension - bounds.tension, tension, bounds.tension);
@@ -157,7 +159,7 @@ void StateSurvey<Dim>::look_at_block(const State<Dim>& state, int slot, std::vec
       if (volume == 0) return;
       ++lines[m].cells;
       if (volume > most[k]) most[k] = volume, owner[k] = m;
-      all[k] += volume;
+      all[k] += volume * solid_part(body, slot, k);
       if (volume > 0 && body.at(slot).contents[k] > 0) look_at_cell(state, m, slot, i, k, lines[m]);
     });
   }

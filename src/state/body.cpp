@@ -35,7 +35,11 @@ std::vector<std::pair<const char*, std::int64_t*>> Counters::list() {
           {"volume-bounds-left", &volume_bounds_left},
           {"floored-sound-speeds", &floored_sound_speeds},
           {"contacts-lost", &contacts_lost},
-          {"cleared-strains", &cleared_strains}};
+          {"cleared-strains", &cleared_strains},
+          {"clamped-damage", &clamped_damage},
+          {"torn-states", &torn_states},
+          {"faces-of-dust", &faces_of_dust},
+          {"opened-cells", &opened_cells}};
 }
 
 template <int Dim>

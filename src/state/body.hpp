@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,10 +19,11 @@ namespace recoil {
 
 /// What a cell's fragment serves as; fixed for a step.
 enum Role : std::uint8_t {
-  donates = 1,          // V > 0.3 full: takes part in fits
-  regular = 2,          // V >= 0.5 full: its average stands in stencils
-  valued = 4,           // has a value for stencils
-  has_bad_contents = 8  // inadmissible
+  donates = 1,           // V > 0.3 full: takes part in fits
+  regular = 2,           // V >= 0.5 full: its average stands in stencils
+  valued = 4,            // has a value for stencils
+  has_bad_contents = 8,  // inadmissible
+  opens = 16             // mostly void: the level set opens here
 };
 
 /// One body in one block; fields are empty where the body is not. What is known of each field stands in
@@ -73,7 +77,7 @@ struct Counters {
                clamped_ghost_densities = 0, averaged_states = 0, wide_neighbourhoods = 0,
                widest_neighbourhoods = 0, unmerged_fragments = 0, lone_fragments_moved = 0, capped_speeds = 0,
                volume_bounds = 0, volume_bounds_left = 0, floored_sound_speeds = 0, contacts_lost = 0,
-               cleared_strains = 0;
+               opened_cells = 0, torn_states = 0, faces_of_dust = 0, cleared_strains = 0, clamped_damage = 0;
 
   Counters& operator+=(const Counters& b);
   /// Name and count of each, in a fixed order.
@@ -100,11 +104,31 @@ struct PairRecord {
   double widest_gap = 0, deepest_overlap = 0;  // in dx, at touching cells, last stage
 };
 
+/// The first failure of one body in one block.
+template <int Dim>
+struct FailureRecord {
+  double time = std::numeric_limits<double>::infinity();  // s, start of the step
+  Index<Dim> cell{};                                      // the first of those that failed in it
+
+  void note(double now, const Index<Dim>& i) {
+    if (now < time) time = now, cell = i;
+  }
+  /// Keeps the earlier one; of the same time that of the cell which comes first along the last axis.
+  void merge(const FailureRecord& b) {
+    bool before = b.time < time;
+    if (b.time == time && std::isfinite(time))
+      before =
+          std::lexicographical_compare(b.cell.c.rbegin(), b.cell.c.rend(), cell.c.rbegin(), cell.c.rend());
+    if (before) *this = b;
+  }
+};
+
 /// What one block has seen; kept per block so that sums over blocks do not depend on ranks or threads.
 template <int Dim>
 struct BlockLedger {
-  std::vector<PairRecord<Dim>> pairs;  // by pair_number
-  std::vector<Account<Dim>> edges;     // by body: what left through the edges of the domain
+  std::vector<PairRecord<Dim>> pairs;        // by pair_number
+  std::vector<Account<Dim>> edges;           // by body: what left through the edges of the domain
+  std::vector<FailureRecord<Dim>> failures;  // by body
   Counters counters;
 };
 

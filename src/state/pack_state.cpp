@@ -45,6 +45,7 @@ void pack_block(const State<Dim>& state, int slot, parallel::Bytes& bytes) {
   const BlockLedger<Dim>& ledger = state.ledger[slot];
   pack(bytes, ledger.pairs.data(), ledger.pairs.size());
   pack(bytes, ledger.edges.data(), ledger.edges.size());
+  pack(bytes, ledger.failures.data(), ledger.failures.size());
   pack(bytes, ledger.counters);
 }
 
@@ -69,6 +70,7 @@ std::vector<PackedPlace<Dim>> unpack_block(State<Dim>& state, int slot, parallel
   BlockLedger<Dim>& ledger = state.ledger[slot];
   from.read(ledger.pairs.data(), ledger.pairs.size());
   from.read(ledger.edges.data(), ledger.edges.size());
+  from.read(ledger.failures.data(), ledger.failures.size());
   ledger.counters = from.read<Counters>();
   return places;
 }

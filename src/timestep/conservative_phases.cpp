@@ -1,10 +1,14 @@
 #include "timestep/conservative_phases.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "cutcell/moves.hpp"
 #include "cutcell/redistribution.hpp"
 #include "dynamics/block_update.hpp"
+#include "dynamics/open_voids.hpp"
 #include "dynamics/plastic_return.hpp"
 #include "interface/fit.hpp"
 #include "interface/walls.hpp"
@@ -100,6 +104,15 @@ void follow_volumes(StepRun<Dim>& step) {
   follow_mismatch(step, follow_rate);
 }
 
+/// Void gives way before matter does.
+template <int Dim>
+void fit_voids(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"fit voids", {}, contents | end_geometry, volume};
+  step.for_each_body(StepPhase::moves, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    if (can_fail(body.material.damage)) fit_voids(step.state(), body, slot);
+  });
+}
+
 template <int Dim>
 void empty_and_fill(StepRun<Dim>& step) {
   static constexpr FieldAccess empty{"empty outside", contents | volume | end_geometry | phi, {}, updates},
@@ -109,6 +122,7 @@ void empty_and_fill(StepRun<Dim>& step) {
     empty_outside(state, body, slot, state.ledger[slot].edges[&body - state.bodies.data()], scratch);
   });
   apply_updates(step, StepPhase::moves);
+  fit_voids(step);
   step.for_each_body(StepPhase::moves, fill, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     fill_inside(step.state(), body, slot, scratch);
   });
@@ -122,6 +136,31 @@ void bound_volumes(StepRun<Dim>& step) {
     bound_volumes(step.state(), body, slot, step.counters(slot), scratch);
   });
   apply_updates(step, StepPhase::moves);
+  fit_voids(step);
+}
+
+template <int Dim>
+void open_voids(StepRun<Dim>& step) {
+  static constexpr FieldAccess mark{"mark voids", {}, contents | volume | end_geometry, role},
+      open{"open voids", role, contents | volume | end_geometry | phi, phi_next | updates};
+  State<Dim>& state = step.state();
+  const auto fails = [](const Body<Dim>& body) { return !body.rigid && can_fail(body.material.damage); };
+  if (std::none_of(state.bodies.begin(), state.bodies.end(), fails)) return;
+  std::vector<std::uint8_t> any(static_cast<std::size_t>(state.mesh.local()), 0);
+  step.for_each_body(StepPhase::moves, mark, [&](Body<Dim>& body, int slot, Scratch&) {
+    if (fails(body) && mark_open(state, body, slot)) any[slot] = 1;
+  });
+  if (!step.engine().world.any(std::count(any.begin(), any.end(), 1) > 0)) return;
+  step.for_each_body(StepPhase::moves, open, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    BodyBlock<Dim>& b = body.at(slot);
+    b.phi_next = b.phi;
+    b.updates.clear();
+    if (fails(body)) step.counters(slot).opened_cells += open_voids(state, body, slot, scratch);
+  });
+  apply_updates(step, StepPhase::moves);
+  swap_phi(step);
+  update_bands(step);
+  redistance_band(step, sweeps_all, -1);
 }
 
 template <int Dim>
@@ -142,6 +181,7 @@ void clear_negative_strain(StepRun<Dim>& step) {
   template void follow_volumes<Dim>(StepRun<Dim>&);                      \
   template void empty_and_fill<Dim>(StepRun<Dim>&);                      \
   template void bound_volumes<Dim>(StepRun<Dim>&);                       \
+  template void open_voids<Dim>(StepRun<Dim>&);                          \
   template void clear_negative_strain<Dim>(StepRun<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

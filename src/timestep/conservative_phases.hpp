@@ -27,6 +27,9 @@ template <int Dim>
 void empty_and_fill(StepRun<Dim>& step);
 template <int Dim>
 void bound_volumes(StepRun<Dim>& step);
+/// Opens the level sets of failed matter where its voids are resolved.
+template <int Dim>
+void open_voids(StepRun<Dim>& step);
 /// What is left of plastic strain below zero after the step; counted.
 template <int Dim>
 void clear_negative_strain(StepRun<Dim>& step);

@@ -46,15 +46,6 @@ void place_rigid_bodies(StepRun<Dim>& step, double ahead, PhiAt where) {
   step.has_changed(where == PhiAt::midstep ? phi_midstep : phi);
 }
 
-/// What a phase has written to phi_next becomes phi.
-template <int Dim>
-void swap_phi(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"swap phi", {}, {}, phi | phi_next};
-  step.for_each_body(StepPhase::level_set, access, [](Body<Dim>& body, int slot, Scratch&) {
-    body.at(slot).phi.swap(body.at(slot).phi_next);
-  });
-}
-
 template <int Dim>
 bool has_inadmissible_states(StepRun<Dim>& step) {
   bool any = false;
@@ -65,6 +56,14 @@ bool has_inadmissible_states(StepRun<Dim>& step) {
 }
 
 }  // namespace
+
+template <int Dim>
+void swap_phi(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"swap phi", {}, {}, phi | phi_next};
+  step.for_each_body(StepPhase::level_set, access, [](Body<Dim>& body, int slot, Scratch&) {
+    body.at(slot).phi.swap(body.at(slot).phi_next);
+  });
+}
 
 template <int Dim>
 void average_states(StepRun<Dim>& step) {
@@ -161,14 +160,14 @@ void apply_updates(StepRun<Dim>& step, StepPhase part) {
 
 template <int Dim>
 void average_inadmissible_states(StepRun<Dim>& step) {
-  static constexpr FieldAccess mark{"mark inadmissible states", {}, contents | volume, role},
+  static constexpr FieldAccess mark{"mark inadmissible states", {}, volume, contents | role},
       mean{"average inadmissible states", role | contents | volume | end_geometry, {}, updates},
       clear{"clear marks", {}, {}, role};
   constexpr auto part = StepPhase::redistribution;
   make_room(step.engine().averaged, step.state());
   for (int width = 1; width <= 3; ++width) {
     step.for_each_body(part, mark, [&](Body<Dim>& body, int slot, Scratch&) {
-      const std::int64_t marked = mark_inadmissible(step.state(), body, slot);
+      const std::int64_t marked = mark_inadmissible(step.state(), body, slot, step.counters(slot));
       if (marked == 0) return;
       step.counters(slot).averaged_states += marked;
       note_averaged(step.engine().averaged, step.state(), body, slot, marked);
@@ -187,7 +186,7 @@ template <int Dim>
 void return_to_yield(StepRun<Dim>& step, double dt, double old_weight) {
   static constexpr FieldAccess access{"return to yield", {}, contents_old | volume_old, contents | volume};
   step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
-    return_to_yield(step.state(), body, slot, dt);
+    return_to_yield(step.state(), body, slot, dt, step.state().ledger[slot]);
     if (old_weight > 0) combine_with_old(step.state(), body, slot, old_weight);
   });
 }
@@ -237,7 +236,7 @@ void redistance(StepRun<Dim>& step, double dt) {
   state.travel += dt * step.engine().world.max(largest(fastest));
   const bool all = state.travel > travel_to_redistance * step.grid().dx;
   if (all) state.travel = 0;
-  redistance_band(step, all ? 4 : 2, all ? -1 : frozen_band);
+  redistance_band(step, all ? sweeps_all : 2, all ? -1 : frozen_band);
 }
 
 template <int Dim>
@@ -304,6 +303,7 @@ void update_bands(StepRun<Dim>& step) {
   template void move_rigid_bodies<Dim>(StepRun<Dim>&, double);                \
   template void remember_contact<Dim>(StepRun<Dim>&);                         \
   template void redistance<Dim>(StepRun<Dim>&, double);                       \
+  template void swap_phi<Dim>(StepRun<Dim>&);                                 \
   template void redistance_band<Dim>(StepRun<Dim>&, int, double);             \
   template void follow_mismatch<Dim>(StepRun<Dim>&, double);                  \
   template void update_bands<Dim>(StepRun<Dim>&);

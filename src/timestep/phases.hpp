@@ -70,6 +70,11 @@ void redistance(StepRun<Dim>& step, double dt);
 /// Redistances the whole band: `sweeps` of it. @param frozen [dx] phi nearer to the surface stays; -1: none.
 template <int Dim>
 void redistance_band(StepRun<Dim>& step, int sweeps, double frozen);
+/// Sweeps that bring the band back to a distance after it has changed at once.
+inline constexpr int sweeps_all = 4;
+/// What a phase has written to phi_next becomes phi.
+template <int Dim>
+void swap_phi(StepRun<Dim>& step);
 /// Moves phi by `rate` of the mismatch (CutCell::mismatch of the end-of-step geometry).
 template <int Dim>
 void follow_mismatch(StepRun<Dim>& step, double rate);

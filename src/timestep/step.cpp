@@ -46,6 +46,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   bound_volumes(step);
   average_inadmissible_states(step);
   clear_negative_strain(step);
+  open_voids(step);
   update_bands(step);
 
   state.time += dt;

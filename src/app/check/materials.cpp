@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <variant>
 
 #include "app/check/checks.hpp"
 #include "material/lint.hpp"
@@ -41,6 +42,18 @@ void check_materials(LoadedCase& loaded) {
       const Node* node = written_constant(loaded, body.material, key);
       return node ? node->place : body.material_place;
     };
+    const Damage& damage = loaded.materials[m].damage;
+    if (can_fail(damage) && loaded.contents.method.scheme != "conservative")
+      loaded.found.error(
+          body.material_place,
+          fmt::format("material '{}' has damage, which only the conservative scheme knows", body.material),
+          "take [material.*.damage] away, or choose scheme = \"conservative\"");
+    if (std::holds_alternative<MinimumPressure>(damage))
+      loaded.found.warning(
+          place("damage.kind"),
+          fmt::format("material '{}' fails at once at a tension: what fails depends on the mesh",
+                      body.material),
+          "kind = \"tensile\" has a time to failure, and converges");
     for (const Suspicion& s : lint(loaded.materials[m])) {
       const std::string message = fmt::format("material '{}': {}", body.material, s.message);
       if (s.certain)

@@ -25,7 +25,8 @@ struct BodyGauge {
             {"mass", "mass", "of the body"},
             {"kinetic", "energy", "kinetic energy"},
             {"internal", "energy", "internal energy"},
-            {"plastic-strain", "1", "largest"}};
+            {"plastic-strain", "1", "largest"},
+            {"failed-mass", "mass", "of matter that has failed"}};
   }
 };
 

@@ -20,7 +20,8 @@ class BodyWatch : public GaugeWatch<Dim> {
     append(row, b.place * (1 / b.mass));
     append(row, b.lowest);
     append(row, b.highest);
-    row.insert(row.end(), {whole * b.mass, whole * b.kinetic, whole * b.internal(), b.plastic_strain});
+    row.insert(row.end(),
+               {whole * b.mass, whole * b.kinetic, whole * b.internal(), b.plastic_strain, whole * b.failed});
   }
 
  private:

@@ -69,6 +69,7 @@ State<Dim> make_test_state(const Grid<Dim>& grid, const std::vector<Distance<Dim
   for (auto& l : state.ledger) {
     l.pairs.resize(n * (n - 1) / 2);
     l.edges.resize(n);
+    l.failures.resize(n);
   }
   return state;
 }
@@ -150,6 +151,7 @@ Primitives<Dim> some_primitives(const Material& material, std::uint64_t seed = 1
   for (int c = 0; c < C::stresses; ++c) w[C::s + c] = random(-1e8, 1e8);
   w[C::ep] = random(0.1, 0.3);
   w[C::temperature_rise] = random(10, 50);
+  w[C::damage] = random(0.2, 0.6);
   return w;
 }
 

@@ -48,7 +48,7 @@ Flux<Dim> across(const EosModel& eos, const std::vector<Primitives<Dim>>& cell) 
   }
   Flux<Dim> out;
   out.fallen = face_fluxes<Dim, Axis, Shear>(
-      eos, g, Row<Dim>{primitive.data(), stress.data(), impedance.data(), 6, 3, 1, 1},
+      eos, g, Row<Dim>{primitive.data(), stress.data(), impedance.data(), 6, 3, 1, 1, nullptr, true},
       FaceFlux<Dim>{flux.data(), velocity.data(), 1, 0});
   std::copy(flux.begin(), flux.end(), out.flux.begin());
   for (int d = 0; d < Dim; ++d) out.velocity[d] = velocity[d];
@@ -292,9 +292,10 @@ TEST(FaceFluxesRow, FacesOfARowAreIndependent) {
   }
   constexpr int faces = cells - 5;
   std::vector<double> flux(faces * C::contents), velocity(faces * 2);
-  face_fluxes<2, 0, true>(copper, shear_modulus,
-                          Row<2>{primitive.data(), stress.data(), impedance.data(), cells, 3, 1, faces},
-                          FaceFlux<2>{flux.data(), velocity.data(), faces, 0});
+  face_fluxes<2, 0, true>(
+      copper, shear_modulus,
+      Row<2>{primitive.data(), stress.data(), impedance.data(), cells, 3, 1, faces, nullptr, true},
+      FaceFlux<2>{flux.data(), velocity.data(), faces, 0});
   for (std::size_t f = 0; f < faces; ++f) {
     const std::vector<Primitives<2>> six(cell.begin() + static_cast<std::ptrdiff_t>(f),
                                          cell.begin() + static_cast<std::ptrdiff_t>(f) + 6);

@@ -79,15 +79,16 @@ TYPED_TEST(Inadmissible, StatesBeyondTheEquations) {
 TYPED_TEST(Inadmissible, StatesAreMarkedAndCleared) {
   auto state = this->uniform();
   auto& b = state.bodies[0].at(0);
+  Counters counters;
   auto dense = this->one;
   dense[0] *= 3;
   const double full = this->whole();
-  EXPECT_EQ(mark_inadmissible(state, state.bodies[0], 0), 0);
+  EXPECT_EQ(mark_inadmissible(state, state.bodies[0], 0, counters), 0);
   EXPECT_FALSE(has_inadmissible(b));
   set_piece(b, 1, full, dense);
   set_piece(b, 4, 0.03 * full, dense);
   set_piece(b, 5, 0.01 * full, dense);  // too small to be judged
-  EXPECT_EQ(mark_inadmissible(state, state.bodies[0], 0), 2);
+  EXPECT_EQ(mark_inadmissible(state, state.bodies[0], 0, counters), 2);
   EXPECT_TRUE(has_inadmissible(b));
   EXPECT_TRUE((b.role[4] & has_bad_contents) != 0 && (b.role[5] & has_bad_contents) == 0);
   clear_inadmissible(b);

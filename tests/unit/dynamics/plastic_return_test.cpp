@@ -60,7 +60,7 @@ TYPED_TEST(PlasticReturn, TheEquivalentStressIsThatOfTheTensor) {
 TYPED_TEST(PlasticReturn, ElasticStatesAreLeftAlone) {
   auto state = this->state_with(PerfectlyPlastic{this->shear, 1e12}, this->stressed(1));
   const auto before = state.bodies[0].at(0).contents;
-  return_to_yield(state, state.bodies[0], 0, 1e-9);
+  return_to_yield(state, state.bodies[0], 0, 1e-9, state.ledger[0]);
   EXPECT_EQ(state.bodies[0].at(0).contents, before);
 }
 
@@ -74,7 +74,7 @@ TYPED_TEST(PlasticReturn, TrialStressesReturnToTheSurface) {
   const double trial = TestFixture::equivalent(b);
   ASSERT_GT(trial, this->yield);
   const auto before = b.contents;
-  return_to_yield(state, state.bodies[0], 0, 1e-9);
+  return_to_yield(state, state.bodies[0], 0, 1e-9, state.ledger[0]);
   EXPECT_NEAR(TestFixture::equivalent(b) / this->yield, 1, 1e-12);
   for (std::size_t c = 0; c < C::s; ++c) EXPECT_EQ(b.contents[c * n], before[c * n]);  // no budget changes
   for (std::size_t c = C::s; c < C::ep; ++c)
@@ -90,7 +90,7 @@ TYPED_TEST(PlasticReturn, MeltedMatterLosesItsDeviator) {
   auto w = this->stressed(5);
   w[C::temperature_rise] = 2000;  // beyond melting
   auto state = this->state_with(samples::copper().strength, w);
-  return_to_yield(state, state.bodies[0], 0, 1e-9);
+  return_to_yield(state, state.bodies[0], 0, 1e-9, state.ledger[0]);
   EXPECT_NEAR(TestFixture::equivalent(state.bodies[0].at(0)), 0, 1);
 }
 
@@ -116,7 +116,7 @@ TYPED_TEST(PlasticReturn, ShorterStepsMeanHigherRates) {
   double last = 0;
   for (const double dt : {1e-3, 1e-6, 1e-9}) {
     auto state = this->state_with(samples::copper().strength, this->stressed(20));
-    return_to_yield(state, state.bodies[0], 0, dt);
+    return_to_yield(state, state.bodies[0], 0, dt, state.ledger[0]);
     const double y = TestFixture::equivalent(state.bodies[0].at(0));
     EXPECT_GT(y, last * 1.02);
     last = y;

@@ -17,7 +17,7 @@ TYPED_TEST_SUITE(Numbers, Dimensions);
 TYPED_TEST(Numbers, EveryComponentHasAPlaceOfItsOwn) {
   constexpr int dim = TestFixture::dim;
   using C = typename TestFixture::C;
-  std::multiset<int> places{C::rho, C::p, C::ep, C::temperature_rise, C::extra};
+  std::multiset<int> places{C::rho, C::p, C::ep, C::temperature_rise, C::damage, C::extra};
   for (int d = 0; d < dim; ++d) places.insert(C::u + d);
   for (int c = 0; c < C::stresses; ++c) places.insert(C::s + c);
   EXPECT_EQ(static_cast<int>(places.size()), C::primitives);
@@ -47,7 +47,7 @@ TYPED_TEST(Numbers, MirroringTurnsVectorsAndTensors) {
   using C = typename TestFixture::C;
   for (unsigned flips = 0; flips < 1U << dim; ++flips) {
     const auto r = [&](int d) { return (flips >> d & 1U) != 0 ? -1 : 1; };
-    for (const int scalar : {C::rho, C::p, C::ep, C::temperature_rise, C::extra})
+    for (const int scalar : {C::rho, C::p, C::ep, C::temperature_rise, C::damage, C::extra})
       EXPECT_EQ(component_sign<dim>(scalar, flips), 1);
     for (int i = 0; i < dim; ++i) {
       EXPECT_EQ(component_sign<dim>(C::u + i, flips), r(i));

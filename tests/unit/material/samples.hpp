@@ -30,6 +30,14 @@ inline std::vector<JohnsonCook> of(const JohnsonCook&) {
           {26e9, 0, 114e6, .42, .002, 1.34, 925}};
 }
 
+inline std::vector<NoDamage> of(const NoDamage&) { return {{}}; }
+inline std::vector<TensileDamage> of(const TensileDamage&) { return {{1e9, 1, 20e-9}, {1.5e9, 2, 50e-9}}; }
+inline std::vector<JohnsonCookDamage> of(const JohnsonCookDamage&) {
+  return {{0.05, 3.44, -2.12, 0.002, 0.61, 1793, 294}, {-0.77, 1.45, -0.47, 0, 1.6, 925, 294}};
+}
+inline std::vector<VoidGrowth> of(const VoidGrowth&) { return {{0.3e9, 0.04e9, 3e15, 1e-6, 0.3e9, 40}}; }
+inline std::vector<MinimumPressure> of(const MinimumPressure&) { return {{1e9}}; }
+
 /// Calls f(model) for every sample of every model in the list.
 template <class Variant, class F>
 void for_each(const F& f) {

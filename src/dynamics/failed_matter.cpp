@@ -1,0 +1,107 @@
+#include "dynamics/failed_matter.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "dynamics/stress_invariants.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double over_failed = 1e-6;  // damage outside of 0 to 1 by less is rounding, not counted
+
+}  // namespace
+
+double solid_fraction(const Eos& eos, double rho, double e) {
+  return std::visit([&](const auto& m) { return rho / released_density(m, rho, e); }, eos);
+}
+
+template <int Dim>
+void relieve_averages(const State<Dim>& state, Body<Dim>& body, int slot) {
+  using C = Components<Dim>;
+  BodyBlock<Dim>& b = body.at(slot);
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  const auto n = static_cast<std::size_t>(layout.size());
+  std::visit(
+      [&](const auto& eos) {
+        for_each(cells, [&](const Index<Dim>& i) {
+          const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+          if ((b.role[k] & donates) == 0 || !(b.average[C::damage * n + k] >= failed_damage)) return;
+          Primitives<Dim> w;
+          for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.average[c * n + k];
+          if (!relieve<Dim>(eos, w)) return;
+          for (std::size_t c = 0; c < w.size(); ++c) b.average[c * n + k] = w[c];
+        });
+      },
+      body.material.eos);
+}
+
+template <int Dim>
+double FailingCell<Dim>::internal_energy() {
+  using C = Components<Dim>;
+  const double mass = at(C::rho);
+  double momentum2 = 0;
+  for (int d = 0; d < Dim; ++d) momentum2 += at(C::u + d) * at(C::u + d);
+  return (at(C::energy) - 0.5 * momentum2 / mass) / mass;
+}
+
+template <int Dim>
+double FailingCell<Dim>::pressure() {
+  const double rho = at(Components<Dim>::rho) / volume_, e = internal_energy();
+  return std::visit([&](const auto& eos) { return eos.pressure(rho, e); }, body_.material.eos);
+}
+
+template <int Dim>
+bool FailingCell<Dim>::relieve() {
+  using C = Components<Dim>;
+  const double mass = at(C::rho);
+  if (!(mass > 0 && volume_ > 0) || damage() < failed_damage || !(pressure() < 0)) return false;
+  for (int c = C::s; c < C::ep; ++c) at(c) = 0;
+  at(C::damage) = mass;
+  return true;
+}
+
+template <int Dim>
+void FailingCell<Dim>::bear_less(double pressure) {
+  using C = Components<Dim>;
+  const double mass = at(C::rho),
+               own = std::sqrt(equivalent_stress_squared<Dim>(q_ + C::s * stride_, stride_)) / mass;
+  const double most = body_.material.failed.limit(pressure);
+  if (!(own > most)) return;
+  for (int c = C::s; c < C::ep; ++c) at(c) *= most / own;
+}
+
+template <int Dim>
+int FailingCell<Dim>::grow(double dt, double strain_growth) {
+  using C = Components<Dim>;
+  const double mass = at(C::rho);
+  if (!(mass > 0 && volume_ > 0)) return 0;
+  const double before = damage();
+  const double kept = std::clamp(before, 0.0, 1.0);
+  const int clamped = before < -over_failed || before > 1 + over_failed ? 1 : 0;
+  DamagePoint point{.damage = kept, .pressure = pressure(), .strain_growth = strain_growth, .dt = dt};
+  double after = kept;
+  if (kept < 1) {
+    const double* s = q_ + C::s * stride_;
+    const double square = equivalent_stress_squared<Dim>(s, stride_) / (mass * mass), rho = mass / volume_;
+    point.equivalent = std::sqrt(square);
+    point.principal = largest_principal_deviator<Dim>(s, stride_) / mass - point.pressure;
+    const double e = internal_energy() - distortion_energy(square, shear_modulus(body_.material), rho);
+    point.temperature = body_.temperature(rho, e, at(C::temperature_rise) / mass);
+    after = std::min(
+        1.0, kept + std::visit([&](const auto& m) { return m.growth(point); }, body_.material.damage));
+  }
+  at(C::damage) = after * mass;
+  if (after >= failed_damage) bear_less(point.pressure);
+  return clamped;
+}
+
+template void relieve_averages<1>(const State<1>&, Body<1>&, int);
+template void relieve_averages<2>(const State<2>&, Body<2>&, int);
+template void relieve_averages<3>(const State<3>&, Body<3>&, int);
+template class FailingCell<1>;
+template class FailingCell<2>;
+template class FailingCell<3>;
+
+}  // namespace recoil

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "field/components.hpp"
+#include "material/damage/damage.hpp"
+#include "state/body.hpp"
+
+/// Failed matter: what has a damage of failed_damage or more bears no tension. Where the equation of state
+/// would pull, the matter stands at p = 0 without any stress, and part of its cell is a void. Nothing is
+/// moved or taken away: the conserved contents alone are the state, and a void closes by itself as soon as
+/// the pressure of the contents is positive again. See docs/theory.md, fracture.
+namespace recoil {
+
+/// Takes the tension off a state that has failed: p = 0, S = 0, and `extra` keeps its energy.
+/// @returns whether there was any: the state has a void.
+template <int Dim, class EosModel>
+bool relieve(const EosModel& eos, Primitives<Dim>& w) {
+  using C = Components<Dim>;
+  if (!(w[C::damage] >= failed_damage && w[C::p] < 0)) return false;
+  double e = eos.energy(w[C::rho], w[C::p]);
+  if constexpr (EosModel::barotropic) e += w[C::extra];
+  w[C::p] = 0;
+  for (int c = C::s; c < C::ep; ++c) w[c] = 0;
+  w[C::extra] = e - eos.energy(w[C::rho], 0);
+  return true;
+}
+
+/// Whether a primitive state is one that relieve() has left.
+template <int Dim>
+[[gnu::always_inline]] inline bool has_void(const Primitives<Dim>& w) {
+  using C = Components<Dim>;
+  return w[C::damage] >= failed_damage && w[C::p] == 0;
+}
+
+/// The density [kg/m3] at which matter of the energy e [J/kg] is free of pressure; `from` is a density at
+/// which it would be in tension. Newton's method, which one step ends where p is linear in rho.
+template <class EosModel>
+double released_density(const EosModel& eos, double from, double e) {
+  double rho = from;
+  for (int k = 0; k < 20; ++k) {
+    const double p = eos.pressure(rho, e), h = 1e-6 * rho, slope = (eos.pressure(rho + h, e) - p) / h;
+    if (!(slope > 0)) break;
+    const double next = rho - p / slope;
+    const bool done = std::abs(next - rho) < 1e-12 * rho;
+    rho = next;
+    if (done) break;
+  }
+  return rho > from ? rho : from;
+}
+
+/// Part of its volume that is solid where matter of the density rho and energy e has failed: 1 without void.
+double solid_fraction(const Eos& eos, double rho, double e);
+
+/// relieve() for the averages of one body in one block (BodyBlock::average).
+template <int Dim>
+void relieve_averages(const State<Dim>& state, Body<Dim>& body, int slot);
+
+/// The contents of one cell of a body that can fail, in the course of return_to_yield(): `q` [contents],
+/// `stride` apart, of a fragment of volume v.
+template <int Dim>
+class FailingCell {
+ public:
+  FailingCell(const Body<Dim>& body, double* q, std::size_t stride, double v)
+      : body_(body), q_(q), stride_(stride), volume_(v) {}
+
+  /// Takes the stress off failed matter that would be in tension. @returns whether it was so.
+  bool relieve();
+  /// Lets damage grow over dt [s] in which the plastic strain grew by `strain_growth`, and failed matter
+  /// yield under what it still bears. @returns 1 where a damage outside of 0 to 1 was set to the bound.
+  int grow(double dt, double strain_growth);
+  bool has_failed() { return damage() >= failed_damage; }
+
+ private:
+  double& at(int c) { return q_[static_cast<std::size_t>(c) * stride_]; }
+  double damage() { return at(Components<Dim>::damage) / at(Components<Dim>::rho); }
+  double internal_energy();  // J/kg
+  double pressure();         // Pa
+  void bear_less(double pressure);
+
+  const Body<Dim>& body_;
+  double* q_;
+  std::size_t stride_;
+  double volume_;
+};
+
+}  // namespace recoil

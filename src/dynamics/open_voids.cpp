@@ -1,0 +1,109 @@
+#include "dynamics/open_voids.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "cutcell/moves_view.hpp"
+#include "dynamics/failed_matter.hpp"
+#include "dynamics/primitives.hpp"
+
+namespace recoil {
+
+namespace {
+
+constexpr double whole = 0.98;  // part of a cell from which on it counts as whole
+
+/// Whether a cell of a body is whole by its volume and by the end-of-step geometry.
+template <int Dim>
+bool is_whole(const State<Dim>& state, const BodyBlock<Dim>& b, std::size_t k, const Index<Dim>& i) {
+  return b.end_geometry.kind[k] == CellKind::full && b.volume[k] >= whole * state.grid().full_volume(i);
+}
+
+template <int Dim>
+bool has_failed(const BodyBlock<Dim>& b, std::size_t k) {
+  return b.contents[Components<Dim>::damage * b.volume.size() + k] >= failed_damage * b.contents[k];
+}
+
+/// Solid part of a whole cell; 1 where the matter has not failed or is under pressure.
+template <int Dim>
+double solid_part(const Body<Dim>& body, const BodyBlock<Dim>& b, std::size_t k) {
+  using C = Components<Dim>;
+  if (!(b.contents[k] > 0) || !has_failed(b, k)) return 1;
+  const Contents<Dim> q = contents_of(b, static_cast<int>(k));
+  double kinetic = 0;
+  for (std::size_t d = 0; d < Dim; ++d) kinetic += 0.5 * q[C::u + d] * q[C::u + d] / q[C::rho];
+  const double rho = q[C::rho] / b.volume[k], e = (q[C::energy] - kinetic) / q[C::rho];
+  return solid_fraction(body.material.eos, rho, e);
+}
+
+/// f(cell, place in the block) for all cells of the block.
+template <int Dim, class F>
+void for_each_place(const State<Dim>& state, int slot, F&& f) {
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  for_each(cells, [&](const Index<Dim>& i) { f(i, static_cast<std::size_t>(layout.at(i - cells.lo))); });
+}
+
+}  // namespace
+
+template <int Dim>
+bool mark_open(const State<Dim>& state, Body<Dim>& body, int slot) {
+  BodyBlock<Dim>& b = body.at(slot);
+  bool any = false;
+  for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    b.role[k] &= static_cast<std::uint8_t>(~opens);
+    if (!(b.contents[k] > 0) || !has_failed(b, k) || !is_whole(state, b, k, i)) return;
+    if (solid_part(body, b, k) >= open_solid) return;
+    b.role[k] |= opens;
+    any = true;
+  });
+  return any;
+}
+
+template <int Dim>
+std::int64_t open_voids(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  const Box<Dim> cells = state.mesh.block(slot).cells;
+  const Window<Dim> w(state.mesh, slot, 1, cells);
+  auto* role = scratch.take<std::uint8_t>(static_cast<std::size_t>(w.size()));
+  w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
+           Beyond::extend, role);
+  std::int64_t count = 0;
+  for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    bool near = false;
+    Box<Dim> around{i, i};
+    for (int d = 0; d < Dim; ++d) --around.lo[d], around.hi[d] += 2;
+    for_each(around, [&](const Index<Dim>& j) { near = near || (role[w.at(j)] & opens) != 0; });
+    if (!near || !is_whole(state, b, k, i)) return;
+    const double solid = solid_part(body, b, k);
+    b.phi_next[k] = std::max(b.phi[k], (open_solid - solid) * state.grid().dx);
+    b.updates.push_back(
+        {static_cast<int>(k), solid * state.grid().full_volume(i), contents_of(b, static_cast<int>(k))});
+    ++count;
+  });
+  return count;
+}
+
+template <int Dim>
+void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot) {
+  BodyBlock<Dim>& b = body.at(slot);
+  if (!b.near_surface) return;
+  for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    const double full = state.grid().full_volume(i), v = b.volume[k];
+    const CellKind kind = b.end_geometry.kind[k];
+    const bool lacks = kind == CellKind::full && v < full, exceeds = kind != CellKind::empty && v > full;
+    if (!(lacks || exceeds) || !(b.contents[k] > 0) || !has_failed(b, k)) return;
+    b.volume[k] = lacks ? full : std::max(full, v * solid_part(body, b, k));
+  });
+}
+
+#define RECOIL_INSTANTIATE(Dim)                                                        \
+  template bool mark_open<Dim>(const State<Dim>&, Body<Dim>&, int);                    \
+  template std::int64_t open_voids<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&); \
+  template void fit_voids<Dim>(const State<Dim>&, Body<Dim>&, int);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil

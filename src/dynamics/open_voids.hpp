@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/scratch.hpp"
+#include "state/body.hpp"
+
+/// Level sets that open where the voids of failed matter are resolved (theory: fracture).
+namespace recoil {
+
+/// Below this part of solid matter in a whole cell the level set opens there.
+inline constexpr double open_solid = 0.5;
+
+/// Marks the whole cells of failed matter that are solid to less than open_solid (Role::opens).
+/// @returns whether there are any.
+template <int Dim>
+bool mark_open(const State<Dim>& state, Body<Dim>& body, int slot);
+
+/// Opens the level set at the marked cells and in the whole cells around them:
+///   phi = max(phi, (1/2 - f) dx), V = f full
+/// with the solid fraction f; contents stay. Writes BodyBlock::phi_next, which
+/// holds phi, and BodyBlock::updates.
+/// @returns how many cells open.
+template <int Dim>
+std::int64_t open_voids(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
+
+/// Fits the voids of failed matter to its cells, instead of moving matter: a cell that the geometry shows
+/// full is filled up with void, and what a cell holds beyond its whole volume is taken off its void, as far
+/// as there is any.
+template <int Dim>
+void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot);
+
+}  // namespace recoil

@@ -1,0 +1,100 @@
+#include "dynamics/failed_matter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../core/dimensions.hpp"
+#include "../material/samples.hpp"
+#include "dynamics/primitives.hpp"
+#include "dynamics/stress_invariants.hpp"
+
+namespace recoil {
+namespace {
+
+template <class D>
+struct FailedMatterState : testing::Test {
+  static constexpr int dim = D::value;
+  using C = Components<dim>;
+  /// Copper pulled to 0.8 of its density, moving, at 2 kJ/kg.
+  Contents<dim> pulled(double volume, double damage) const {
+    const double mass = 0.8 * 8930 * volume;
+    Contents<dim> q{};
+    q[C::rho] = mass;
+    q[C::u] = 30 * mass;
+    q[C::energy] = mass * (2000 + 450);
+    for (int c = C::s; c < C::ep; ++c) q[c] = mass * 1e8;
+    q[C::ep] = 0.1 * mass;
+    q[C::damage] = damage * mass;
+    return q;
+  }
+};
+TYPED_TEST_SUITE(FailedMatterState, Dimensions);
+
+/// No stress is left, the energy is, and what has not failed stays in tension.
+TYPED_TEST(FailedMatterState, BearsNoTensionAndKeepsItsEnergy) {
+  constexpr int dim = TestFixture::dim;
+  using C = typename TestFixture::C;
+  samples::for_each<Eos>([&](const auto& eos) {
+    const auto scaled = [&](double damage) {
+      auto q = this->pulled(1e-9, damage);
+      for (double& c : q) c *= eos.rho0 / 8930;
+      return to_primitives<dim>(eos, q, 1e-9);
+    };
+    auto whole = scaled(0.99);
+    if (!(whole[C::p] < 0)) return;
+    EXPECT_FALSE(relieve<dim>(eos, whole));
+    auto failed = scaled(1);
+    const double before = failed[C::p];
+    EXPECT_TRUE(relieve<dim>(eos, failed)) << before;
+    EXPECT_TRUE(has_void<dim>(failed));
+    EXPECT_EQ(failed[C::p], 0);
+    for (int c = C::s; c < C::ep; ++c) EXPECT_EQ(failed[c], 0);
+    EXPECT_NEAR(eos.energy(failed[C::rho], 0) + failed[C::extra], 2000, 1e-6);
+  });
+}
+
+/// The solid matter of a void is free of pressure at the energy of the cell.
+TEST(FailedMatterState, TheSolidPartIsFreeOfPressure) {
+  samples::for_each<Eos>([](const auto& eos) {
+    for (const double e : {0.0, 1e4, 2e5}) {
+      const double rho = 0.6 * eos.rho0;
+      if (!(eos.pressure(rho, e) < 0)) continue;
+      const double solid = solid_fraction(eos, rho, e);
+      EXPECT_GT(solid, 0.55);
+      EXPECT_LT(solid, 1);
+      EXPECT_NEAR(eos.pressure(rho / solid, e) / (eos.rho0 * 1e6), 0, 1e-9) << e;
+    }
+  });
+}
+
+/// In the course of the return: stress off where there is a void, damage by the law, no more stress than
+/// failed matter bears.
+TYPED_TEST(FailedMatterState, DamageGrowsAndFailedMatterYields) {
+  constexpr int dim = TestFixture::dim;
+  using C = typename TestFixture::C;
+  Body<dim> body;
+  body.material = samples::copper();
+  body.material.damage = TensileDamage{1e9, 1, 1e-6};
+  body.material.failed = {20e6, 0.1};
+  body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
+  auto q = this->pulled(1e-9, 0.25);
+  FailingCell<dim> cell(body, q.data(), 1, 1e-9);
+  EXPECT_FALSE(cell.relieve());
+  EXPECT_EQ(cell.grow(1e-9, 0), 0);
+  const double after = q[C::damage] / q[C::rho];
+  EXPECT_GT(after, 0.25 + 1e-3);
+  EXPECT_FALSE(cell.has_failed());
+  cell.grow(1e-3, 0);
+  EXPECT_TRUE(cell.has_failed());
+  EXPECT_DOUBLE_EQ(q[C::damage] / q[C::rho], 1);
+  const double left = std::sqrt(equivalent_stress_squared<dim>(q.data() + C::s, 1)) / q[C::rho];
+  EXPECT_NEAR(left, 20e6, 1e-3);  // in tension there is no friction
+  EXPECT_TRUE(cell.relieve());
+  for (int c = C::s; c < C::ep; ++c) EXPECT_EQ(q[c], 0);
+  q[C::damage] = 1.5 * q[C::rho];
+  EXPECT_EQ(cell.grow(1e-9, 0), 1);  // clamped, and counted
+}
+
+}  // namespace
+}  // namespace recoil
