@@ -277,7 +277,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Account<D
     const bool leaves = leaves_domain(p, i);
     if (!leaves && p.kind[p.window.at(i)] == CellKind::cut) return t;
     t.to = leaves ? i : p.neighbour(i, -1);
-    t.any = leaves || !(t.to == i);
+    t.any = leaves || (!(t.to == i) && p.can_take(t.to));
     if (leaves && p.window.inner().contains(i)) book<Dim>(p.contents(i), edges);
     t.volume = p.volume[p.window.at(i)];
     t.state_cell = i;

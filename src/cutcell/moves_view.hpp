@@ -19,6 +19,7 @@ class MovesView {
   MovesView(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
       : grid(state.grid()),
         window(state.mesh, slot, halo, body.at(slot).reach),
+        state_(state),
         body_(body),
         scratch_(scratch) {
     const std::size_t n = window.size();
@@ -74,6 +75,15 @@ class MovesView {
     return i;
   }
 
+  /// Whether a cell takes part in moves: the body is in its block, and within reach there. What went
+  /// elsewhere would be lost.
+  bool can_take(const Index<Dim>& i) const {
+    const auto from = window.source_inside(i);
+    if (from.slot < 0 || !body_.present(from.slot)) return false;
+    const Index<Dim> home = state_.mesh.block(from.slot).cells.lo + grid.layout().index(from.cell);
+    return body_.at(from.slot).reach.contains(home);
+  }
+
   /// Whether the body is thinner than about two cells here: least sum over an axis of V/full over five cells.
   bool thin(const Index<Dim>& i) const {
     for (int d = 0; d < Dim; ++d) {
@@ -97,6 +107,7 @@ class MovesView {
   // A body with less than so many cells of matter in five is thin.
   static constexpr double thin_sum = 1.75;
 
+  const State<Dim>& state_;
   const Body<Dim>& body_;
   Scratch& scratch_;
 };

@@ -85,6 +85,22 @@ std::int64_t open_voids(const State<Dim>& state, Body<Dim>& body, int slot, Scra
 }
 
 template <int Dim>
+std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slot) {
+  BodyBlock<Dim>& b = body.at(slot);
+  const double dx = state.grid().dx;
+  std::int64_t count = 0;
+  for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    const double fill = b.volume[k] / state.grid().full_volume(i);
+    if (b.phi[k] < 0.5 * dx || fill < 0.5 || !(b.contents[k] > 0)) return;
+    const double part = std::min(fill * solid_part(body, b, k), 1.0);
+    if (part < 0.5) return;
+    b.phi[k] = (0.5 - part) * dx;
+    ++count;
+  });
+  return count;
+}
+
+template <int Dim>
 void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot) {
   BodyBlock<Dim>& b = body.at(slot);
   if (!b.near_surface) return;
@@ -100,6 +116,7 @@ void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot) {
 #define RECOIL_INSTANTIATE(Dim)                                                        \
   template bool mark_open<Dim>(const State<Dim>&, Body<Dim>&, int);                    \
   template std::int64_t open_voids<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&); \
+  template std::int64_t restore_level_set<Dim>(const State<Dim>&, Body<Dim>&, int);    \
   template void fit_voids<Dim>(const State<Dim>&, Body<Dim>&, int);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -24,6 +24,13 @@ bool mark_open(const State<Dim>& state, Body<Dim>& body, int slot);
 template <int Dim>
 std::int64_t open_voids(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
 
+/// Whole matter that the level set has lost gets it back: phi = min(phi, (1/2 - f) dx) where the level set
+/// lies more than half a cell away and matter fills the part f >= 1/2 of the cell without voids. So fragments
+/// of a cell or less keep a surface of their own.
+/// @returns how many cells are restored.
+template <int Dim>
+std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slot);
+
 /// Fits the voids of failed matter to its cells, instead of moving matter: a cell that the geometry shows
 /// full is filled up with void, and what a cell holds beyond its whole volume is taken off its void, as far
 /// as there is any.

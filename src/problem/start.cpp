@@ -36,7 +36,8 @@ Edge edge_of(config::Boundary b) {
   }
 }
 
-/// Velocity of a turning body at x [m/s].
+/// Velocity at the start of a body at x [m/s]: of its motion, of its turning, and away from a point or the
+/// axis.
 template <int Dim>
 Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x) {
   Vec<Dim> u = first_components<Dim>(body.velocity);
@@ -49,6 +50,14 @@ Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x) {
       u[1] -= body.spin[0] * r[2];
       u[2] += body.spin[0] * r[1] - body.spin[1] * r[0];
     }
+  }
+  if (body.radial_velocity != 0) {
+    Vec<Dim> away;
+    if (body.radial_from_axis)
+      away[0] = x[0];
+    else
+      away = x - first_components<Dim>(body.radial_centre);
+    if (norm(away) > 0) u += (body.radial_velocity / norm(away)) * away;
   }
   return u;
 }

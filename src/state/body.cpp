@@ -39,7 +39,8 @@ std::vector<std::pair<const char*, std::int64_t*>> Counters::list() {
           {"clamped-damage", &clamped_damage},
           {"torn-states", &torn_states},
           {"faces-of-dust", &faces_of_dust},
-          {"opened-cells", &opened_cells}};
+          {"opened-cells", &opened_cells},
+          {"restored-cells", &restored_cells}};
 }
 
 template <int Dim>

@@ -140,6 +140,23 @@ void bound_volumes(StepRun<Dim>& step) {
 }
 
 template <int Dim>
+void restore_level_sets(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"restore level sets", {}, contents | volume, phi};
+  State<Dim>& state = step.state();
+  const auto fails = [](const Body<Dim>& body) { return !body.rigid && can_fail(body.material.damage); };
+  if (std::none_of(state.bodies.begin(), state.bodies.end(), fails)) return;
+  std::vector<std::uint8_t> any(static_cast<std::size_t>(state.mesh.local()), 0);
+  step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    if (!fails(body)) return;
+    const std::int64_t count = restore_level_set(state, body, slot);
+    step.counters(slot).restored_cells += count;
+    if (count > 0) any[slot] = 1;
+  });
+  if (step.engine().world.any(std::count(any.begin(), any.end(), 1) > 0))
+    redistance_band(step, sweeps_all, -1);
+}
+
+template <int Dim>
 void open_voids(StepRun<Dim>& step) {
   static constexpr FieldAccess mark{"mark voids", {}, contents | volume | end_geometry, role},
       open{"open voids", role, contents | volume | end_geometry | phi, phi_next | updates};
@@ -181,6 +198,7 @@ void clear_negative_strain(StepRun<Dim>& step) {
   template void follow_volumes<Dim>(StepRun<Dim>&);                      \
   template void empty_and_fill<Dim>(StepRun<Dim>&);                      \
   template void bound_volumes<Dim>(StepRun<Dim>&);                       \
+  template void restore_level_sets<Dim>(StepRun<Dim>&);                  \
   template void open_voids<Dim>(StepRun<Dim>&);                          \
   template void clear_negative_strain<Dim>(StepRun<Dim>&);
 RECOIL_INSTANTIATE(1)

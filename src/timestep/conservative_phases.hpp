@@ -27,6 +27,9 @@ template <int Dim>
 void empty_and_fill(StepRun<Dim>& step);
 template <int Dim>
 void bound_volumes(StepRun<Dim>& step);
+/// Fragments of matter that can fail keep their level sets.
+template <int Dim>
+void restore_level_sets(StepRun<Dim>& step);
 /// Opens the level sets of failed matter where its voids are resolved.
 template <int Dim>
 void open_voids(StepRun<Dim>& step);

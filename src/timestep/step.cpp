@@ -37,6 +37,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   advect_surfaces(step, dt);
   remember_contact(step);
   redistance(step, dt);
+  restore_level_sets(step);
   cut_out_rigid_bodies(step);
   cut_cells(step, Surfaces::own, PhiAt::now);
   exchange_along_surfaces(step);

@@ -114,6 +114,18 @@ void check_spin(const Body& body, const TableReading& reading) {
                    "e.g. spin-centre = { x = \"0 mm\", y = \"0 mm\" }");
 }
 
+void check_radial(Body& body, const TableReading& reading) {
+  const bool centre = reading.has("radial-centre"), speed = reading.has("radial-velocity");
+  if (speed && body.rigid)
+    reading.refuse("radial-velocity", "a rigid body cannot fly apart", "give it a 'velocity'");
+  if (centre && !speed) reading.refuse("radial-centre", "'radial-centre' needs 'radial-velocity'");
+  body.radial_from_axis = speed && !centre && reading.in.geometry == Geometry::axisymmetric;
+  if (speed && !centre && !body.radial_from_axis)
+    reading.refuse("radial-velocity",
+                   "'radial-velocity' needs 'radial-centre', the point that the body flies away from",
+                   "e.g. radial-centre = { x = \"0 mm\" }");
+}
+
 bool turns(const Body& b) { return b.spin != Vector{}; }
 bool is_free(const Body& b) { return b.mass > 0; }
 
@@ -185,7 +197,19 @@ Entries<Body> keys_of_start() {
        .unit = "m",
        .doc = "the point about which it turns",
        .example = R"({ x = "1 mm" })",
-       .when = [](const Body& b) { return turns(b) && !is_free(b); }}};
+       .when = [](const Body& b) { return turns(b) && !is_free(b); }},
+      {.name = "radial-velocity",
+       .member = &Body::radial_velocity,
+       .unit = "m/s",
+       .optional = true,
+       .doc = "at the start, away from radial-centre; axisymmetric without it: away from the axis",
+       .example = R"("100 m/s")"},
+      {.name = "radial-centre",
+       .member = &Body::radial_centre,
+       .unit = "m",
+       .doc = "the point that it flies away from",
+       .example = R"({ x = "0 mm", y = "0 mm" })",
+       .when = [](const Body& b) { return b.radial_velocity != 0 && !b.radial_from_axis; }}};
 }
 
 }  // namespace
@@ -200,6 +224,7 @@ void Body::check(const TableReading& reading) {
   check_material(*this, reading);
   check_free_body(*this, reading);
   check_spin(*this, reading);
+  check_radial(*this, reading);
   if (is_free(*this)) spin_centre = centre_of_mass;
 }
 

@@ -16,9 +16,12 @@ struct Body {
   Vector inertia{};         // kg m2 (planar: kg m, [2] only), about the centre of mass, along the axes
   Vector centre_of_mass{};  // m
   Shape shape;
-  Vector velocity{};     // m/s
-  Vector spin{};         // rad/s about spin_centre; planar: [2] only
-  Vector spin_centre{};  // m
+  Vector velocity{};              // m/s
+  Vector spin{};                  // rad/s about spin_centre; planar: [2] only
+  Vector spin_centre{};           // m
+  double radial_velocity = 0;     // m/s, away from radial_centre
+  Vector radial_centre{};         // m
+  bool radial_from_axis = false;  // away from the axis of an axisymmetric domain instead
   Place place = {}, material_place = {};
 
   static constexpr const char* doc =
