@@ -46,6 +46,7 @@ struct Commands {
   RunOptions run;
   CheckOptions check;
   PlotOptions plot;
+  ReportOptions report;
   StudyOptions study;
   VerifyOptions verify;
   ResumeOptions resume;
@@ -67,6 +68,7 @@ struct Commands {
     add_resume();
     add_check();
     add_plot();
+    add_report();
     add_study();
     add_verify();
     add_rest();
@@ -148,7 +150,7 @@ struct Commands {
         ->type_name("FILE");
     c->add_option("--reference", plot.reference, "curve to compare a gauge with")->type_name("CSV:COLUMN");
     c->add_option("--at", plot.at, "time of the field (default: the last)")->type_name("TIME");
-    c->add_option("--slice", plot.slice, "plane of a 3d field")->type_name("z=PLACE");
+    c->add_option("--slice", plot.slice, "plane of a 3d field, across any axis")->type_name("z=PLACE");
     c->add_option("--with", plot.others, "another run to draw the same gauge of; may be repeated")
         ->type_name("DIR")
         ->expected(1)
@@ -176,6 +178,18 @@ struct Commands {
     c.add_option("--height", plot.height, "height of the picture in pixels, likewise")
         ->check(CLI::Range(200, 10000));
     c.add_option("--title", plot.title, "heading")->type_name("TEXT");
+  }
+
+  void add_report() {
+    CLI::App* c = command(top, "report", "show runs on one page for the browser; several: side by side",
+                          [this] { return app::report(report); });
+    c->add_option("dir", report.folders, "folders of runs")->required()->type_name("DIR...");
+    c->add_option("-o,--output", report.file, "the page (default: report.html, of one run in its folder)")
+        ->type_name("FILE.html");
+    c->add_option(
+         "--max-mb", report.most_mb,
+         "size of the page in MB (default 10); to keep to it values are rounded more and dumps left out")
+        ->type_name("MB");
   }
 
   void add_study() {

@@ -65,6 +65,13 @@ struct PlotOptions {
 };
 int plot(const PlotOptions& options);
 
+struct ReportOptions {
+  std::vector<std::string> folders;  // of runs
+  std::string file;                  // the page; empty: report.html, of one run in its folder
+  double most_mb = 10;               // how large it may become
+};
+int report(const ReportOptions& options);
+
 struct StudyOptions {
   std::string file;
   std::vector<std::string> sizes;    // of cells

@@ -4,8 +4,8 @@
 
 namespace recoil::app {
 
-/// The folder that holds materials/ and cases/: the environment's RECOIL_DATA, else that of the installed
-/// program, else the source tree.
+/// The folder that holds materials/ and cases/: the environment's RECOIL_DATA, else that of the
+/// installed program, else the source tree.
 std::filesystem::path data_folder();
 
 inline std::filesystem::path materials_folder() { return data_folder() / "materials"; }
