@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/completion.hpp"
 #include "app/launch.hpp"
 #include "core/build_info.hpp"
 #include "core/closest.hpp"
@@ -51,7 +52,8 @@ struct Commands {
   VerifyOptions verify;
   ResumeOptions resume;
   StatusOptions status;
-  std::string material, key;
+  NewOptions fresh;
+  std::string material, key, cited, shell;
   bool markdown = false;
   std::function<int()> chosen;
 
@@ -64,6 +66,7 @@ struct Commands {
         "environment,\n"
         "5 finished but an expectation failed, 6 finished but doubtful, 75 stopped and can be resumed.\n"
         "`recoil COMMAND --help` tells more.");
+    add_new();
     add_run();
     add_resume();
     add_check();
@@ -88,6 +91,15 @@ struct Commands {
         ->type_name("PATH=VALUE")
         ->expected(1)
         ->take_all();
+  }
+
+  void add_new() {
+    CLI::App* c =
+        command(top, "new", "write a commented case to start from", [this] { return new_case(fresh); });
+    c->add_option("template", fresh.name, "which one; --list shows them")->type_name("TEMPLATE");
+    c->add_option("dir", fresh.folder, "folder for the case (default: the template's name)")
+        ->type_name("DIR");
+    c->add_flag("--list", fresh.list, "list the templates and exit");
   }
 
   void add_run() {
@@ -224,13 +236,28 @@ struct Commands {
     command(*m, "list", "list names and titles", [] { return list_library(); });
     CLI::App* show =
         command(*m, "show", "print one material in full", [this] { return show_material(material); });
-    show->add_option("name", material, "e.g. copper/seed")->required()->type_name("NAME");
+    show->add_option("name", material, "e.g. copper/seed")->required()->type_name("MATERIAL");
+    CLI::App* b = command(top, "cite", "print BibTeX entries of the code and of what a case or a run uses",
+                          [this] { return cite(cited); });
+    b->add_option("case", cited, "case file, its folder, or the folder of a run")
+        ->required()
+        ->type_name("CASE");
     CLI::App* s = command(top, "schema", "print the JSON schema of a case file, for editors",
                           [this] { return print_schema(markdown); });
     s->add_flag("--markdown", markdown, "print the reference page of the case file instead");
     CLI::App* e =
         command(top, "explain", "explain a key of a case file", [this] { return app::explain(key); });
     e->add_option("key", key, "e.g. mesh.finest, mesh or finest")->required()->type_name("KEY");
+    command(top, "doctor", "tell what this machine has, and how to get what it lacks",
+            [] { return doctor(); });
+    CLI::App* p = command(top, "completion", "print a script by which a shell completes commands", [this] {
+      fmt::print("{}", completion_script(top, shell));
+      return exit_finished;
+    });
+    p->add_option("shell", shell, "bash, zsh or fish")
+        ->required()
+        ->check(CLI::IsMember(completed_shells))
+        ->type_name("SHELL");
   }
 };
 

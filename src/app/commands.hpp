@@ -93,6 +93,18 @@ struct VerifyOptions {
 };
 int verify(const VerifyOptions& options);
 
+struct NewOptions {
+  std::string name;    // of the template
+  std::string folder;  // for the case; empty: the template's name
+  bool list = false;   // list the templates and exit
+};
+int new_case(const NewOptions& options);
+
+/// Prints the BibTeX entries of the code and of what a case or a run cites.
+int cite(const std::string& word);
+/// Prints what this machine offers to the program, and a cure for what it lacks.
+int doctor();
+
 int list_library();
 int show_material(const std::string& name);
 int print_schema(bool markdown);
