@@ -48,16 +48,22 @@ function drawImage(context: CanvasRenderingContext2D, area: PlotArea, scene: Fie
 }
 
 function drawOutlines(context: CanvasRenderingContext2D, area: PlotArea, scene: FieldScene): void {
-  context.strokeStyle = cssColour("--ink");
-  context.lineWidth = 1.2;
   context.lineJoin = "round";
+  const strokes: [string, number][] = [
+    [cssColour("--card"), 3], // around the line, so that it shows on dark and on light values
+    [cssColour("--ink"), 1.2],
+  ];
   for (const sign of scene.mirror ? [1, -1] : [1])
     for (const line of scene.outlines) {
       context.beginPath();
       for (let k = 0; k < line.x.length; ++k)
         context.lineTo(area.px(sign * (line.x[k] ?? 0)), area.py(line.y[k] ?? 0));
       if (line.closed) context.closePath();
-      context.stroke();
+      for (const [colour, width] of strokes) {
+        context.strokeStyle = colour;
+        context.lineWidth = width;
+        context.stroke();
+      }
     }
 }
 
