@@ -43,6 +43,7 @@ demo: build
 	$(STEP) "Draw the velocity of the target's rear surface" \
 	  $(RELEASE)/recoil plot $(DEMO) gauge.rear $(DEMO)/rear.png
 	@echo
+	@echo "report    $(DEMO)/report.html"
 	@echo "results   $(DEMO)/"
 	@echo "picture   $(DEMO)/rear.png"
 	@echo "program   $(RELEASE)/recoil --help"
@@ -56,7 +57,7 @@ layers: packages-test
 	$(STEP) "Sizes of functions, files and folders" $(PYTHON) -B tools/check_sizes.py
 
 unit-tests: packages-test
-	$(STEP) "Configure $(TEST)" tools/configure $(TEST) -DRECOIL_WERROR=$(WERROR)
+	$(STEP) "Configure $(TEST)" tools/configure $(TEST) -DRECOIL_WERROR=$(WERROR) -DRECOIL_REPORT=ON
 	$(STEP) "Build a portable program and its tests (some minutes the first time)" \
 	  cmake --build $(TEST) -j $(JOBS)
 	$(STEP) "Quick tests" ctest --test-dir $(TEST) -j $(JOBS) -LE slow --output-on-failure --no-tests=error \

@@ -12,6 +12,7 @@ pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo cairo-pdf cairo-svg cairo
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(ZLIB REQUIRED)
 
 add_library(recoil_dependencies INTERFACE)
 target_link_libraries(
@@ -24,6 +25,7 @@ target_link_libraries(
             CLI11::CLI11
             fmt::fmt
             nlohmann_json::nlohmann_json
+            ZLIB::ZLIB
             MPI::MPI_C
             Threads::Threads)
 # We use MPI's C interface only; its old C++ one would bring in headers that do not compile without warnings.

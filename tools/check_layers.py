@@ -30,6 +30,7 @@ FENCES = (
     ("MPI", re.compile(r"mpi(-ext)?\.h$"), ("parallel", "mesh", "format")),
     ("p4est", re.compile(r"(p4est|p8est|p6est|sc)(_\w+)?\.h$"), ("mesh",)),
     ("HDF5", re.compile(r"(hdf5(_hl)?|H5\w*)\.h$"), ("format",)),
+    ("zlib", re.compile(r"z(conf|lib)\.h$"), ("format",)),
     ("Cairo", re.compile(r"(cairo/)?cairo(-\w+)?\.h$"), ("picture",)),
     ("toml++", re.compile(r"toml(\+\+/.*|\.hpp)$"), ("config",)),
 )

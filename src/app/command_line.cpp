@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/completion.hpp"
 #include "app/launch.hpp"
 #include "core/build_info.hpp"
 #include "core/closest.hpp"
@@ -46,11 +47,13 @@ struct Commands {
   RunOptions run;
   CheckOptions check;
   PlotOptions plot;
+  ReportOptions report;
   StudyOptions study;
   VerifyOptions verify;
   ResumeOptions resume;
   StatusOptions status;
-  std::string material, key;
+  NewOptions fresh;
+  std::string material, key, cited, shell;
   bool markdown = false;
   std::function<int()> chosen;
 
@@ -63,10 +66,12 @@ struct Commands {
         "environment,\n"
         "5 finished but an expectation failed, 6 finished but doubtful, 75 stopped and can be resumed.\n"
         "`recoil COMMAND --help` tells more.");
+    add_new();
     add_run();
     add_resume();
     add_check();
     add_plot();
+    add_report();
     add_study();
     add_verify();
     add_rest();
@@ -86,6 +91,15 @@ struct Commands {
         ->type_name("PATH=VALUE")
         ->expected(1)
         ->take_all();
+  }
+
+  void add_new() {
+    CLI::App* c =
+        command(top, "new", "write a commented case to start from", [this] { return new_case(fresh); });
+    c->add_option("template", fresh.name, "which one; --list shows them")->type_name("TEMPLATE");
+    c->add_option("dir", fresh.folder, "folder for the case (default: the template's name)")
+        ->type_name("DIR");
+    c->add_flag("--list", fresh.list, "list the templates and exit");
   }
 
   void add_run() {
@@ -148,7 +162,7 @@ struct Commands {
         ->type_name("FILE");
     c->add_option("--reference", plot.reference, "curve to compare a gauge with")->type_name("CSV:COLUMN");
     c->add_option("--at", plot.at, "time of the field (default: the last)")->type_name("TIME");
-    c->add_option("--slice", plot.slice, "plane of a 3d field")->type_name("z=PLACE");
+    c->add_option("--slice", plot.slice, "plane of a 3d field, across any axis")->type_name("z=PLACE");
     c->add_option("--with", plot.others, "another run to draw the same gauge of; may be repeated")
         ->type_name("DIR")
         ->expected(1)
@@ -176,6 +190,18 @@ struct Commands {
     c.add_option("--height", plot.height, "height of the picture in pixels, likewise")
         ->check(CLI::Range(200, 10000));
     c.add_option("--title", plot.title, "heading")->type_name("TEXT");
+  }
+
+  void add_report() {
+    CLI::App* c = command(top, "report", "show runs on one page for the browser; several: side by side",
+                          [this] { return app::report(report); });
+    c->add_option("dir", report.folders, "folders of runs")->required()->type_name("DIR...");
+    c->add_option("-o,--output", report.file, "the page (default: report.html, of one run in its folder)")
+        ->type_name("FILE.html");
+    c->add_option(
+         "--max-mb", report.most_mb,
+         "size of the page in MB (default 10); to keep to it values are rounded more and dumps left out")
+        ->type_name("MB");
   }
 
   void add_study() {
@@ -210,13 +236,28 @@ struct Commands {
     command(*m, "list", "list names and titles", [] { return list_library(); });
     CLI::App* show =
         command(*m, "show", "print one material in full", [this] { return show_material(material); });
-    show->add_option("name", material, "e.g. copper/seed")->required()->type_name("NAME");
+    show->add_option("name", material, "e.g. copper/seed")->required()->type_name("MATERIAL");
+    CLI::App* b = command(top, "cite", "print BibTeX entries of the code and of what a case or a run uses",
+                          [this] { return cite(cited); });
+    b->add_option("case", cited, "case file, its folder, or the folder of a run")
+        ->required()
+        ->type_name("CASE");
     CLI::App* s = command(top, "schema", "print the JSON schema of a case file, for editors",
                           [this] { return print_schema(markdown); });
     s->add_flag("--markdown", markdown, "print the reference page of the case file instead");
     CLI::App* e =
         command(top, "explain", "explain a key of a case file", [this] { return app::explain(key); });
     e->add_option("key", key, "e.g. mesh.finest, mesh or finest")->required()->type_name("KEY");
+    command(top, "doctor", "tell what this machine has, and how to get what it lacks",
+            [] { return doctor(); });
+    CLI::App* p = command(top, "completion", "print a script by which a shell completes commands", [this] {
+      fmt::print("{}", completion_script(top, shell));
+      return exit_finished;
+    });
+    p->add_option("shell", shell, "bash, zsh or fish")
+        ->required()
+        ->check(CLI::IsMember(completed_shells))
+        ->type_name("SHELL");
   }
 };
 

@@ -65,6 +65,13 @@ struct PlotOptions {
 };
 int plot(const PlotOptions& options);
 
+struct ReportOptions {
+  std::vector<std::string> folders;  // of runs
+  std::string file;                  // the page; empty: report.html, of one run in its folder
+  double most_mb = 10;               // how large it may become
+};
+int report(const ReportOptions& options);
+
 struct StudyOptions {
   std::string file;
   std::vector<std::string> sizes;    // of cells
@@ -85,6 +92,18 @@ struct VerifyOptions {
   std::string folder;
 };
 int verify(const VerifyOptions& options);
+
+struct NewOptions {
+  std::string name;    // of the template
+  std::string folder;  // for the case; empty: the template's name
+  bool list = false;   // list the templates and exit
+};
+int new_case(const NewOptions& options);
+
+/// Prints the BibTeX entries of the code and of what a case or a run cites.
+int cite(const std::string& word);
+/// Prints what this machine offers to the program, and a cure for what it lacks.
+int doctor();
 
 int list_library();
 int show_material(const std::string& name);

@@ -82,4 +82,12 @@ LoadedCase load_case(const std::string& word, const std::vector<std::string>& ov
   return loaded;
 }
 
+LoadedCase load_run(const fs::path& folder) {
+  const fs::path resolved = folder / "case.resolved.toml";
+  if (!fs::exists(resolved)) throw InputError(fmt::format("{} is not the folder of a run", folder.string()));
+  LoadedCase loaded = load_case(resolved.string(), {});
+  loaded.found.throw_if_errors();
+  return loaded;
+}
+
 }  // namespace recoil::app

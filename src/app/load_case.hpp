@@ -35,6 +35,10 @@ std::string short_name(const std::filesystem::path& case_file);
 LoadedCase load_case(const std::string& word, const std::vector<std::string>& overrides,
                      const std::filesystem::path& home = {});
 
+/// The case that a run computed, with its materials, as case.resolved.toml in its folder has it. @throws
+/// InputError for a folder that holds no run.
+LoadedCase load_run(const std::filesystem::path& folder);
+
 /// Checks that need more than single values, for cases without errors so far: more cells than the machine has
 /// memory for, fields and intervals that do not exist, bodies that overlap, lie outside the domain, are cut
 /// off or too thin, gauges off their body, doubtful materials, bodies that do not meet or meet too fast.

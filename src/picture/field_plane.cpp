@@ -1,7 +1,6 @@
 #include "picture/field_plane.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,81 +8,15 @@
 #include <limits>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "core/error.hpp"
+#include "picture/field_scalar.hpp"
 #include "picture/raster.hpp"
-#include "record/field_dump.hpp"
 
 namespace recoil {
 
 namespace {
-
-/// Names of the six stored stresses, by the axes of the run.
-std::vector<std::string> stored_stresses(const RunUnits& u) {
-  if (u.axes.front() == "r") return {"rr", "zz", "tt", "rz"};
-  return {"xx", "yy", "zz", "xy", "yz", "xz"};
-}
-
-/// What a name means: an array, and one of its components or (-1) its magnitude.
-struct Wanted {
-  std::string array, label;
-  int component = 0;
-  bool signed_values = false;
-};
-
-Wanted find_wanted(const std::string& name, const RunUnits& units) {
-  if (name == "body" || name == "contact") return {name, name, 0, false};
-  const std::size_t dot = name.find('.');
-  const std::string base = name.substr(0, dot), part = dot == std::string::npos ? "" : name.substr(dot + 1);
-  std::vector<std::string> known{"body", "contact"};
-  for (const FieldVariable& v : field_variables()) {
-    known.emplace_back(v.name);
-    if (base != v.name) continue;
-    Wanted w{v.array, v.label, 0, v.signed_values};
-    if (part.empty() && v.components == 6)
-      throw InputError(fmt::format("error: which component of '{}'?\n   = help: one of {}.{}", base, base,
-                                   fmt::join(stored_stresses(units), ", " + base + ".")));
-    if (part.empty()) {
-      const bool vector = v.components == 3, one_axis = units.axes.size() == 1;
-      w.component = vector && !one_axis ? -1 : 0;
-      w.signed_values = v.signed_values || (vector && one_axis);
-      return w;
-    }
-    const auto parts = v.components == 3   ? units.axes
-                       : v.components == 6 ? stored_stresses(units)
-                                           : std::vector<std::string>{};
-    const auto at = std::find(parts.begin(), parts.end(), part);
-    if (at == parts.end())
-      throw InputError(fmt::format("error: the field '{}' has no component '{}'\n   = help: it has {}", base,
-                                   part, parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "))));
-    w.component = static_cast<int>(at - parts.begin());
-    w.label.insert(w.label.find(" ["), " " + part);
-    w.signed_values = true;
-    return w;
-  }
-  throw InputError(fmt::format("error: there is no field '{}'\n   = help: the fields are {}", name,
-                               fmt::join(known, ", ")));
-}
-
-std::vector<double> component_of(const NamedArray& array, int component) {
-  const std::vector<double> all = as_doubles(array.values);
-  const auto n = static_cast<std::size_t>(array.components);
-  std::vector<double> one(all.size() / n);
-  for (std::size_t k = 0; k < one.size(); ++k) {
-    const double* v = all.data() + k * n;
-    if (component >= 0) {
-      one[k] = v[component];
-      continue;
-    }
-    double sum = 0;
-    for (std::size_t c = 0; c < n; ++c) sum += v[c] * v[c];
-    one[k] = std::sqrt(sum);
-  }
-  return one;
-}
-
-constexpr const char* phi_begin = "level_set_";
-constexpr const char* phi_end = "_m";
 
 /// Whether there is matter inside of a body: not in a rigid one.
 bool holds_matter(const UnstructuredGrid& grid, const std::vector<double>& phi) {
@@ -95,37 +28,6 @@ bool holds_matter(const UnstructuredGrid& grid, const std::vector<double>& phi) 
     filled += fraction[k];
   }
   return filled > 0.5 * inside;
-}
-
-/// "left + right": the bodies whose bits are set.
-std::string names_of_bits(const std::vector<std::string>& bodies, unsigned bits) {
-  std::vector<std::string> names;
-  for (std::size_t m = 0; m < bodies.size(); ++m)
-    if ((bits >> m & 1U) != 0) names.push_back(bodies[m]);
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, " + "));
-}
-
-/// What the values of a field mean that has only a few; none of other fields.
-std::vector<Category> categories_of(const std::string& name, const FieldPlane& plane) {
-  constexpr Rgb grey{176, 184, 194};
-  std::vector<Category> found;
-  if (name == "body")
-    for (std::size_t m = 0; m < plane.bodies.size(); ++m)
-      found.push_back({static_cast<double>(m), plane.bodies[m], area_colour(m)});
-  if (name == "contact-state")
-    found = {{0, "free", grey},
-             {1, "touching", {30, 140, 84}},
-             {2, "slipping", {232, 146, 20}},
-             {3, "opened", {212, 64, 52}}};
-  if (name == "contact") {
-    std::set<double> values;
-    for (const double v : plane.values.values)
-      if (!std::isnan(v)) values.insert(v);
-    for (const double v : values)
-      found.push_back({v, names_of_bits(plane.bodies, static_cast<unsigned>(v)),
-                       v == 0 ? grey : area_colour(found.size() - (values.contains(0) ? 1 : 0))});
-  }
-  return found;
 }
 
 }  // namespace
@@ -158,27 +60,32 @@ ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<dou
   });
 }
 
-FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const RunUnits& units, double z) {
-  const Wanted wanted = find_wanted(name, units);
+Cut middle_cut(const config::Domain& domain, std::size_t axis) {
+  const double lo = domain.lo[axis], hi = domain.hi[axis];
+  return {axis, lo <= 0 && hi > 0 ? 0 : 0.5 * (lo + hi)};
+}
+
+FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const RunUnits& units, Cut cut) {
+  const FieldScalar wanted = find_scalar(name, units);
+  const Raster raster(dump.grid, cut);
   FieldPlane plane;
-  plane.label = wanted.label;
+  plane.label = name == "contact-state" ? "contact" : wanted.label;
   plane.signed_values = wanted.signed_values;
   plane.time_s = dump.time_s;
-  plane.values = rasterise(dump.grid, component_of(find_array(dump.grid, wanted.array), wanted.component), z);
+  plane.values = raster.of(values_of(dump.grid, wanted));
   std::vector<bool> solid;
-  for (const NamedArray& array : dump.grid.cell_arrays) {
-    if (!array.name.starts_with(phi_begin) || !array.name.ends_with(phi_end)) continue;
-    const std::size_t begin = std::string(phi_begin).size();
-    plane.bodies.push_back(array.name.substr(begin, array.name.size() - begin - std::string(phi_end).size()));
-    const std::vector<double> phi = component_of(array, 0);
-    solid.push_back(holds_matter(dump.grid, phi));
-    plane.level_sets.push_back(rasterise(dump.grid, phi, z));
+  for (BodyField& body : bodies_of(dump.grid)) {
+    solid.push_back(holds_matter(dump.grid, body.level_set));
+    plane.level_sets.push_back(raster.of(body.level_set));
+    plane.bodies.push_back(std::move(body.name));
   }
   if (name == "body")
     for (double& v : plane.values.values)
       if (v < 0) v = std::numeric_limits<double>::quiet_NaN();
-  plane.categories = categories_of(name, plane);
-  if (name == "contact-state") plane.label = "contact";
+  std::set<double> seen;
+  for (const double v : plane.values.values)
+    if (name == "contact" && !std::isnan(v)) seen.insert(v);
+  plane.categories = categories_of(name, plane.bodies, seen);
   plane.matter = plane.values;
   // Beyond all cells of the dump nothing is near.
   const double far = 8 * std::max(plane.values.dx, plane.values.dy);

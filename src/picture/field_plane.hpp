@@ -1,14 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "config/section/domain.hpp"
 #include "format/run_units.hpp"
 #include "format/vtkhdf.hpp"
 #include "picture/colour_map.hpp"
 #include "picture/outline.hpp"
+#include "picture/raster.hpp"
 
 namespace recoil {
 
@@ -25,6 +28,9 @@ std::vector<ChosenDump> all_dumps(const std::filesystem::path& directory);
 /// where there are none, or the time lies beyond the last one (by more than a thousandth).
 ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<double> time_s);
 
+/// The plane across an axis of a 3-D domain at 0, or in the middle of a domain that does not hold 0.
+Cut middle_cut(const config::Domain& domain, std::size_t axis);
+
 /// One field in the plane, on even cells: what a picture needs. In 1-d one row of cells.
 struct FieldPlane {
   PlaneArray values;                   ///< in the unit of the label; NaN: no matter
@@ -38,12 +44,10 @@ struct FieldPlane {
   double time_s = 0;
 };
 
-/// Takes a field out of a dump. `name` is a variable as cases write it, with a component of vectors and
-/// tensors where one is wanted: "pressure", "velocity" (its magnitude; in 1-d its one component),
-/// "velocity.x", "stress.zz"; or "body", "contact". "body", "contact" and "contact-state" come with
-/// categories; no body has no value.
-/// @param z the cut through a 3-D grid [m].
+/// Takes a field out of a dump, by the name of a scalar (find_scalar). "body", "contact" and "contact-state"
+/// come with categories; no body has no value.
+/// @param cut through a 3-D grid.
 /// @throws InputError for a name that the dump does not hold.
-FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const RunUnits& units, double z = 0);
+FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const RunUnits& units, Cut cut = {});
 
 }  // namespace recoil

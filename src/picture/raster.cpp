@@ -36,12 +36,13 @@ struct PlaneCell {
   std::size_t number;
 };
 
-std::vector<PlaneCell> cells_in_plane(const UnstructuredGrid& grid, double cut) {
+std::vector<PlaneCell> cells_in_plane(const UnstructuredGrid& grid, Cut cut) {
   std::vector<PlaneCell> cells;
   for (std::size_t n = 0; n < grid.cells(); ++n) {
     const Box box = box_of(grid, n);
     const bool solid = grid.types[n] == static_cast<unsigned char>(VtkCell::hexahedron);
-    if (!solid || (cut >= box.lower[2] && cut < box.upper[2])) cells.push_back({box, n});
+    if (!solid || (cut.place >= box.lower[cut.axis] && cut.place < box.upper[cut.axis]))
+      cells.push_back({box, n});
   }
   return cells;
 }
@@ -74,32 +75,44 @@ std::array<int, 2> places(const Spacing& s, double from, double to) {
   return {first(from), first(to)};
 }
 
+/// The two axes that span a plane.
+std::array<std::size_t, 2> axes_of(Cut cut) { return {cut.axis == 0 ? 1U : 0U, cut.axis == 2 ? 1U : 2U}; }
+
 }  // namespace
 
-PlaneArray rasterise(const UnstructuredGrid& grid, const std::vector<double>& values, double cut, int most) {
-  require(values.size() == grid.cells(), "a value per cell");
+Raster::Raster(const UnstructuredGrid& grid, Cut cut, int most) : cells_(grid.cells()) {
   const auto cells = cells_in_plane(grid, cut);
-  if (cells.empty()) return {};
-  const Spacing x = spacing(cells, 0, most), y = spacing(cells, 1, most);
-  PlaneArray array{x.count, y.count, x.lower, y.lower, x.step, y.step, {}};
-  const auto nx = static_cast<std::size_t>(x.count);
-  array.values.assign(nx * static_cast<std::size_t>(y.count), std::numeric_limits<double>::quiet_NaN());
-  for (const auto& [box, number] : cells) {
-    if (std::isnan(values[number])) continue;
-    const auto is = places(x, box.lower[0], box.upper[0]), js = places(y, box.lower[1], box.upper[1]);
-    for (int j = js[0]; j < js[1]; ++j)
-      for (int i = is[0]; i < is[1]; ++i)
-        array.values[static_cast<std::size_t>(i) + nx * static_cast<std::size_t>(j)] = values[number];
+  if (cells.empty()) return;
+  const auto [across, up] = axes_of(cut);
+  const Spacing x = spacing(cells, across, most), y = spacing(cells, up, most);
+  empty_ = {x.count, y.count, x.lower, y.lower, x.step, y.step, {}};
+  covered_.reserve(cells.size());
+  for (const auto& [box, number] : cells)
+    covered_.push_back(
+        {number, places(x, box.lower[across], box.upper[across]), places(y, box.lower[up], box.upper[up])});
+}
+
+PlaneArray Raster::of(const std::vector<double>& values) const {
+  require(values.size() == cells_, "a value per cell");
+  PlaneArray array = empty_;
+  const auto nx = static_cast<std::size_t>(array.nx);
+  array.values.assign(nx * static_cast<std::size_t>(array.ny), std::numeric_limits<double>::quiet_NaN());
+  for (const auto& [cell, columns, rows] : covered_) {
+    if (std::isnan(values[cell])) continue;
+    for (int j = rows[0]; j < rows[1]; ++j)
+      for (int i = columns[0]; i < columns[1]; ++i)
+        array.values[static_cast<std::size_t>(i) + nx * static_cast<std::size_t>(j)] = values[cell];
   }
   return array;
 }
 
-std::vector<Outline> cell_edges(const UnstructuredGrid& grid, double cut, double smallest) {
+std::vector<Outline> cell_edges(const UnstructuredGrid& grid, Cut cut, double smallest) {
+  const auto [x, y] = axes_of(cut);
   std::vector<Outline> edges;
   for (const auto& [box, number] : cells_in_plane(grid, cut)) {
     const auto& [lo, hi] = box;
-    if (hi[0] - lo[0] < smallest) continue;
-    edges.push_back({{{lo[0], lo[1]}, {hi[0], lo[1]}, {hi[0], hi[1]}, {lo[0], hi[1]}}, true});
+    if (hi[x] - lo[x] < smallest) continue;
+    edges.push_back({{{lo[x], lo[y]}, {hi[x], lo[y]}, {hi[x], hi[y]}, {lo[x], hi[y]}}, true});
   }
   return edges;
 }

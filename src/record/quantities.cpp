@@ -180,6 +180,15 @@ std::vector<std::string> keys_of(const Map& map) {
 
 }  // namespace
 
+std::optional<ReferenceCurve> reference_curve_of(const std::string& quantity) {
+  if (!quantity.starts_with("gauge.") || quantity.find(".error@") == std::string::npos) return std::nullopt;
+  const Request r = parse_request(quantity);
+  const std::size_t first = r.argument.find(':'), last = r.argument.rfind(':');
+  if (first == last) return std::nullopt;
+  return ReferenceCurve{r.gauge, r.column, r.argument.substr(first + 1, last - first - 1),
+                        r.argument.substr(last + 1)};
+}
+
 Measured measure(const Quantities& q, const std::string& name, bool as_flag) {
   Measured m;
   m.is_flag = as_flag;

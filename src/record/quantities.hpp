@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,16 @@ struct Measured {
 /// @throws InputError for a name that this run does not have (with the nearest ones) or a reference that
 /// cannot be read.
 Measured measure(const Quantities& quantities, const std::string& name, bool as_flag = false);
+
+/// The curve that a quantity gauge.NAME.COLUMN.error@FROM..TO:FILE:COLUMN compares a gauge with.
+struct ReferenceCurve {
+  std::string gauge, column;
+  std::filesystem::path file;  ///< as named: beside the case
+  std::string file_column;
+};
+
+/// Nothing for a quantity that names none.
+std::optional<ReferenceCurve> reference_curve_of(const std::string& quantity);
 
 /// One expectation and what came out.
 struct CheckResult {

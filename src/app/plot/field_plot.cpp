@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/load_case.hpp"
 #include "app/plot/plot_file.hpp"
 #include "config/geometry.hpp"
-#include "config/read_case.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
 #include "format/csv.hpp"
@@ -30,23 +30,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Place of the plane of "z=0mm" [m]; without it z = 0, or the middle of a domain that does not hold it.
-double place_of_slice(const std::string& text, const config::Domain& domain) {
-  if (text.empty()) return domain.lo[2] <= 0 && domain.hi[2] > 0 ? 0 : 0.5 * (domain.lo[2] + domain.hi[2]);
-  if (!text.starts_with("z="))
+/// The plane of "z=0mm"; without a text the one across z through the middle.
+Cut cut_of(const std::string& text, const config::Domain& domain) {
+  if (text.empty()) return middle_cut(domain, 2);
+  const std::size_t axis = std::string("xyz").find(text.front());
+  if (axis == std::string::npos || text.size() < 2 || text[1] != '=')
     throw InputError(fmt::format("a plane is given as z=PLACE, not '{}'\n   = help: --slice z=0mm", text));
-  return quantity_option(text.substr(2), "m", "--slice");
+  return {axis, quantity_option(text.substr(2), "m", "--slice")};
 }
 
-/// The case that a run computed; of it only the domain counts here.
-config::Case case_of(const fs::path& run) {
-  config::Document document;
-  config::Diagnostics out;
-  const fs::path resolved = run / "case.resolved.toml";
-  if (!fs::exists(resolved)) throw InputError(fmt::format("{} is not the folder of a run", run.string()));
-  config::Case c = config::read_case(resolved.string(), document, out);
-  out.throw_if_errors();
-  return c;
+/// The axes of the picture's plane.
+std::vector<std::string> axes_in(const config::Domain& domain, Cut cut) {
+  std::vector<std::string> axes = config::axes_of(domain.geometry);
+  if (axes.size() == 3) axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(cut.axis));
+  return axes;
 }
 
 LineChart curve_of(const FieldPlane& plane, const std::string& title, const std::string& note) {
@@ -207,7 +204,7 @@ Outline read_outline(const std::string& file, double t) {
   return outline;
 }
 
-Canvas picture_of(const FieldPlane& plane, const config::Case& c, const std::string& note,
+Canvas picture_of(const FieldPlane& plane, const config::Case& c, Cut cut, const std::string& note,
                   const PlotOptions& o) {
   const PlaneArray& a = plane.values;
   FieldPicture picture;
@@ -222,7 +219,7 @@ Canvas picture_of(const FieldPlane& plane, const config::Case& c, const std::str
   picture.note = note;
   picture.label = plane.label;
   picture.categories = plane.categories;
-  const auto axes = config::axes_of(c.domain.geometry);
+  const auto axes = axes_in(c.domain, cut);
   picture.x_title = axes[0] + " [mm]";
   picture.y_title = axes[1] + " [mm]";
   picture.mirror = c.domain.geometry == config::Geometry::axisymmetric;
@@ -235,12 +232,12 @@ Canvas picture_of(const FieldPlane& plane, const config::Case& c, const std::str
 }  // namespace
 
 int plot_field(const PlotOptions& o) {
-  const config::Case c = case_of(o.folder);
+  const config::Case c = load_run(o.folder).contents;
   const ChosenDump chosen = choose_dump(
       o.folder, o.at.empty() ? std::nullopt : std::optional<double>(quantity_option(o.at, "s", "--at")));
   const std::string& name = o.what.front();
-  FieldPlane plane = field_plane(read_vtkhdf(chosen.path), name, run_units(c.domain.geometry),
-                                 place_of_slice(o.slice, c.domain));
+  const Cut cut = cut_of(o.slice, c.domain);
+  FieldPlane plane = field_plane(read_vtkhdf(chosen.path), name, run_units(c.domain.geometry), cut);
   const bool is_line = c.domain.geometry == config::Geometry::line;
   if (is_line && !(o.window.empty() && o.outline.empty() && o.along.empty()))
     throw InputError(
@@ -253,16 +250,16 @@ int plot_field(const PlotOptions& o) {
     return save_chart(o, line_out(plane, o.along, c.title, note, mirror), file + "_along");
   }
   if (!o.window.empty()) {
-    const auto window = read_window(o.window, config::axes_of(c.domain.geometry));
+    const auto window = read_window(o.window, axes_in(c.domain, cut));
     crop(plane.values, window);
     crop(plane.matter, window);
     for (PlaneArray& phi : plane.level_sets) crop(phi, window);
   }
-  return save_picture(o, picture_of(plane, c, note, o), file);
+  return save_picture(o, picture_of(plane, c, cut, note, o), file);
 }
 
 int plot_field_over_time(const PlotOptions& o) {
-  const config::Case c = case_of(o.folder);
+  const config::Case c = load_run(o.folder).contents;
   if (c.domain.geometry != config::Geometry::line)
     throw InputError("--xt needs a 1d run\n   = help: omit it; --at chooses the time of a picture");
   const std::vector<ChosenDump> dumps = all_dumps(o.folder);

@@ -21,6 +21,7 @@
 #include "app/launch.hpp"
 #include "app/load_case.hpp"
 #include "app/machine.hpp"
+#include "app/report/report_page.hpp"
 #include "app/run/checkpoint_folder.hpp"
 #include "app/run/run_folder.hpp"
 #include "app/run/simulation.hpp"
@@ -138,6 +139,21 @@ int simulate_together(const LoadedCase& loaded, const SimulationOptions& options
 
 namespace {
 
+/// A run that has ended, also one that had to, leaves a page that shows it.
+int simulate_and_report(const LoadedCase& loaded, const SimulationOptions& options,
+                        const parallel::World& world) {
+  const bool reports = options.speaks && loaded.contents.output.report;
+  const bool quiet = options.display == Display::none;
+  try {
+    const int code = simulate_together(loaded, options, world);
+    if (reports && has_results(code)) leave_report(options.folder, quiet);
+    return code;
+  } catch (const PhysicsError&) {
+    if (reports) leave_report(options.folder, quiet);
+    throw;
+  }
+}
+
 /// What `run` and `resume` have in common once the case is read.
 template <class Options>
 int start(const Options& options, const LoadedCase& loaded, SimulationOptions& simulation, bool force) {
@@ -161,7 +177,7 @@ int start(const Options& options, const LoadedCase& loaded, SimulationOptions& s
   const parallel::Session session;
   const parallel::World world;
   simulation.threads = threads_of(options, loaded.contents, world.size());
-  return simulate_together(loaded, simulation, world);
+  return simulate_and_report(loaded, simulation, world);
 }
 
 /// The checkpoint to go on from. @throws InputError where there is none.

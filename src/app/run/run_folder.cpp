@@ -14,6 +14,7 @@
 #include "app/run/resolved_case.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
+#include "record/quantities.hpp"
 
 namespace recoil::app {
 
@@ -25,7 +26,7 @@ namespace {
 constexpr const char* traces[] = {
     "case.toml",   "case.resolved.toml", "run.log", "status.json", "summary.json",
     "history.csv", "events.csv",         "gauges",  "fields",      "crash",
-    "checkpoints"};
+    "checkpoints", "report.html"};
 
 constexpr const char* lock_name = ".lock";
 
@@ -46,6 +47,17 @@ void refuse_foreign(const fs::path& folder) {
     return;
   throw InputError(fmt::format("the folder {} holds files, but no run\n   = help: choose another one with -o",
                                folder.string()));
+}
+
+/// The curves that expectations compare with, so that the folder is complete by itself.
+void copy_references(const fs::path& folder, const LoadedCase& loaded) {
+  for (const config::Expectation& e : loaded.contents.expect) {
+    const auto named = reference_curve_of(e.quantity);
+    if (!named || named->file.has_parent_path() || !fs::exists(loaded.folder / named->file)) continue;
+    if (fs::exists(folder / named->file) && fs::equivalent(loaded.folder / named->file, folder / named->file))
+      continue;  // of the same folder
+    fs::copy_file(loaded.folder / named->file, folder / named->file, fs::copy_options::overwrite_existing);
+  }
 }
 
 }  // namespace
@@ -101,6 +113,7 @@ void prepare_run_folder(const fs::path& folder, const LoadedCase& loaded, bool f
     fs::create_directories(folder);
     write_atomically(folder / "case.toml", loaded.document.text);
     write_atomically(folder / "case.resolved.toml", resolved_text(loaded));
+    copy_references(folder, loaded);
   } catch (const fs::filesystem_error& e) {
     throw EnvironmentError(fmt::format("the folder {} cannot be used: {}", folder.string(), e.what()));
   }

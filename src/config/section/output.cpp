@@ -9,7 +9,11 @@ Entries<Output> Output::keys() {
           {.name = "history", .member = part_of<&Output::history>(), .doc = "sums over each body"},
           {.name = "checkpoint",
            .member = part_of<&Output::checkpoint>(),
-           .doc = "files from which a run can go on"}};
+           .doc = "files from which a run can go on"},
+          {.name = "report",
+           .member = &Output::report,
+           .doc = "whether a finished run is shown in report.html, one page for the browser",
+           .example = "false"}};
 }
 
 }  // namespace recoil::config

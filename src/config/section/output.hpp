@@ -59,6 +59,7 @@ struct Output {
   FieldOutput fields;
   HistoryOutput history;
   CheckpointOutput checkpoint;
+  bool report = true;
 
   static constexpr const char* doc = "What is written, and how often.";
   static Entries<Output> keys();

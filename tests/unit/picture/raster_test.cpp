@@ -44,10 +44,28 @@ TEST(Raster, CutTakesOneLayerOfASolidGrid) {
     add_box_cell(grid, 3, {0, 0, 1.0 * k}, {1, 1, k + 1.0});
     values.push_back(k);
   }
-  EXPECT_EQ(rasterise(grid, values, 1.5).at(0, 0), 1);
-  EXPECT_EQ(rasterise(grid, values, 1.0).at(0, 0), 1);
-  EXPECT_EQ(rasterise(grid, values, 9.0).nx, 0);
-  EXPECT_EQ(cell_edges(grid, 0.5).size(), 1u);
+  EXPECT_EQ(rasterise(grid, values, {2, 1.5}).at(0, 0), 1);
+  EXPECT_EQ(rasterise(grid, values, {2, 1.0}).at(0, 0), 1);
+  EXPECT_EQ(rasterise(grid, values, {2, 9.0}).nx, 0);
+  EXPECT_EQ(cell_edges(grid, {2, 0.5}).size(), 1u);
+}
+
+TEST(Raster, CutsAcrossEachAxis) {
+  UnstructuredGrid grid;  // 2 x 3 x 4 cells, each with its own number
+  std::vector<double> values;
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 2; ++i) {
+        add_box_cell(grid, 3, {1.0 * i, 1.0 * j, 1.0 * k}, {i + 1.0, j + 1.0, k + 1.0});
+        values.push_back(100 * k + 10 * j + i);
+      }
+  const auto across_x = rasterise(grid, values, {0, 1.5}), across_y = rasterise(grid, values, {1, 2.5});
+  EXPECT_EQ(across_x.nx, 3);
+  EXPECT_EQ(across_x.ny, 4);
+  EXPECT_EQ(across_x.at(2, 3), 321);
+  EXPECT_EQ(across_y.nx, 2);
+  EXPECT_EQ(across_y.ny, 4);
+  EXPECT_EQ(across_y.at(1, 2), 221);
 }
 
 TEST(Raster, OneRowOfLines) {
@@ -59,7 +77,7 @@ TEST(Raster, OneRowOfLines) {
   ASSERT_EQ(a.nx, 10);
   ASSERT_EQ(a.ny, 1);
   EXPECT_EQ(a.values, values);
-  EXPECT_EQ(rasterise(grid, values, 0, 4).nx, 4);
+  EXPECT_EQ(rasterise(grid, values, {}, 4).nx, 4);
 }
 
 }  // namespace

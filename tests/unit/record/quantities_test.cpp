@@ -115,5 +115,17 @@ TEST(Quantities, Checks) {
   EXPECT_FALSE(check(q, flag).pass);
 }
 
+TEST(Quantities, NameTheirReferenceCurve) {
+  const auto curve = reference_curve_of("gauge.rear.velocity.x.error@3us..5us:other/reference.csv:speed");
+  ASSERT_TRUE(curve);
+  EXPECT_EQ(curve->gauge, "rear");
+  EXPECT_EQ(curve->column, "velocity.x");
+  EXPECT_EQ(curve->file, "other/reference.csv");
+  EXPECT_EQ(curve->file_column, "speed");
+  EXPECT_FALSE(reference_curve_of("gauge.rear.velocity@3us"));
+  EXPECT_FALSE(reference_curve_of("body.flyer.mass"));
+  EXPECT_FALSE(reference_curve_of("gauge.rear.velocity.error@3us..5us"));
+}
+
 }  // namespace
 }  // namespace recoil

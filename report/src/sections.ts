@@ -1,0 +1,212 @@
+// Parts of the page that are text and tables.
+
+import type { Drift, Expectation, Material, Reason, Run, RunEvent } from "./data";
+import { h, table } from "./dom";
+import { prettyUnit, withUnit, written } from "./numbers";
+
+const MARKS: Record<string, string> = { valid: "\u2713", doubtful: "!", stopped: "\u2715" };
+
+/** The word of a run: that of its summary, else how it stands. */
+export function verdictOf(run: Run): string {
+  return run.summary?.verdict ?? (run.crash ? "stopped" : (run.status?.state ?? "not finished"));
+}
+
+export function chip(run: Run): HTMLElement {
+  const word = verdictOf(run);
+  return h("span", { class: `chip ${word.replace(/\W/g, "-")}` }, `${MARKS[word] ?? "?"} ${word}`);
+}
+
+function quantity(value: number | boolean | null, unit: string | undefined): string {
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  return withUnit(written(value, 5), unit ?? "1");
+}
+
+function bound(e: Expectation): string {
+  const value = quantity(e.reference, e.unit);
+  if (e.kind === "at-most") return `at most ${value}`;
+  if (e.kind === "at-least") return `at least ${value}`;
+  return e.tolerance ? `${value} \u00b1 ${withUnit(written(e.tolerance, 2), e.unit ?? "1")}` : value;
+}
+
+function errorOf(e: Expectation): string {
+  if (typeof e.value !== "number" || typeof e.reference !== "number" || e.kind || e.reference === 0) return "";
+  const percent = (100 * (e.value - e.reference)) / Math.abs(e.reference);
+  return `${percent > 0 ? "+" : ""}${written(percent, 2)}\u00a0%`;
+}
+
+function expectations(all: Record<string, Expectation>): HTMLElement | null {
+  const names = Object.keys(all);
+  if (names.length === 0) return null;
+  const failed = names.filter((n) => !all[n]?.pass).length;
+  const rows = names.map((name) => {
+    const e = all[name] as Expectation;
+    const mark = h("span", { class: e.pass ? "pass" : "fail" }, e.pass ? "\u2713 pass" : "\u2715 fail");
+    const source = [e.source, e.why, e.problem].filter(Boolean).join("; ");
+    return [mark, h("code", {}, name), quantity(e.value, e.unit), bound(e), errorOf(e), source];
+  });
+  const head = failed > 0 ? `${failed} of ${names.length} expectations failed` : `All ${names.length} expectations met`;
+  return h(
+    "details",
+    failed > 0 ? { open: true } : {},
+    h("summary", {}, head),
+    table("Expectations", ["", "Quantity", "Run", "Expected", "Error", "Source"], rows, [2, 3, 4]),
+  );
+}
+
+function reasons(all: Reason[]): HTMLElement | null {
+  if (all.length === 0) return null;
+  return h("ul", { class: "reasons" }, ...all.map((r) => h("li", {}, r.text)));
+}
+
+function lines(all: string[], title: string): HTMLElement | null {
+  if (all.length === 0) return null;
+  return h("p", { class: "remarks" }, h("strong", {}, `${title} `), all.join(" "));
+}
+
+/** Numbers of a run in one row. */
+export function facts(run: Run): HTMLElement {
+  const s = run.summary;
+  const items: [string, string][] = [
+    ["Geometry", run.geometry],
+    ["Cells", `${written(run.cell_mm)} mm`],
+    ["Scheme", run.scheme],
+    ["Time", `${written(s?.time_us ?? run.status?.time_us)} of ${written(run.end_us)} \u00b5s`],
+    ["Steps", String(s?.steps ?? run.status?.step ?? "\u2013")],
+  ];
+  if (s) {
+    items.push(["Cells with matter", s.cells.toLocaleString("en")]);
+    items.push(["Wall time", `${written(s.wall_s, 3)} s`]);
+    items.push(["Rate", `${written(s.rate_mcell_stage_per_s, 3)} Mcell stages/s`]);
+    items.push(["Recoil", s.version]);
+  }
+  return h("dl", { class: "facts" }, ...items.map(([k, v]) => h("div", {}, h("dt", {}, k), h("dd", {}, v))));
+}
+
+/** Whether the run can be trusted, and why not. */
+export function verdict(run: Run): HTMLElement {
+  const s = run.summary;
+  const limited = Object.entries(s?.floors ?? {}).filter(([, n]) => n !== 0);
+  return h(
+    "div",
+    {},
+    facts(run),
+    s ? reasons(s.reasons) : null,
+    run.crash ? h("pre", { class: "crash", tabindex: "0" }, run.crash) : null,
+    s ? lines(s.remarks, "Remarks.") : null,
+    s ? lines(s.not_judged, "Not judged.") : null,
+    s ? expectations(s.expect) : null,
+    limited.length > 0
+      ? h(
+          "details",
+          {},
+          h("summary", {}, `Limited or replaced: ${limited.length} kinds`),
+          table("Counters", ["What", "Times"], limited.map(([k, n]) => [k, n.toLocaleString("en")]), [1]),
+        )
+      : null,
+    run.predicted.trim() === ""
+      ? null
+      : h("details", {}, h("summary", {}, "Predicted before the run"), h("pre", { tabindex: "0" }, run.predicted)),
+  );
+}
+
+/** What happened; a time leads to the picture of it. */
+export function events(all: RunEvent[], show: ((time: number) => void) | null): HTMLElement {
+  if (all.length === 0) return h("p", { class: "note" }, "No body touched another.");
+  const time = (e: RunEvent) => {
+    const text = `${written(e.t, 5)} \u00b5s`;
+    const at = e.t;
+    return show && at !== null ? h("button", { type: "button", class: "link", click: () => show(at) }, text) : text;
+  };
+  const rows = all.map((e) => [time(e), e.event, e.bodies, e.place, e.detail]);
+  return table("Events", ["Time", "Event", "Bodies", "Place [mm]", "Detail"], rows, [0]);
+}
+
+export function budgets(all: Record<string, Drift>): HTMLElement {
+  const rows = Object.entries(all).map(([name, d]) => [
+    name,
+    written(d.mass, 2),
+    written(d.momentum, 2),
+    written(d.energy, 2),
+  ]);
+  return table("Largest drift of the balances", ["Body", "Mass", "Momentum", "Energy"], rows, [1, 2, 3]);
+}
+
+export function materials(run: Run): HTMLElement {
+  const card = (m: Material) =>
+    h(
+      "article",
+      { class: "card" },
+      h("h3", {}, m.title || m.name),
+      h("p", { class: "note" }, `${m.name}: ${m.bodies.join(", ")}. Sources: ${m.cite.join(", ") || "none named"}.`),
+      m.doubt === "" ? null : h("p", { class: "reasons" }, m.doubt),
+      ...m.tables
+        .filter((t) => t.constants.length > 0)
+        .map((t) =>
+          h(
+            "div",
+            {},
+            h("h4", {}, `${t.name}: ${t.kind}`),
+            table(
+              t.name,
+              ["Constant", "Value", "Unit", ""],
+              t.constants.map((c) => [
+                c.name,
+                typeof c.value === "number" ? written(c.value, 6) : c.value,
+                prettyUnit(c.unit),
+                c.doc,
+              ]),
+              [1],
+            ),
+          ),
+        ),
+    );
+  return h("div", { class: "cards" }, ...run.materials.map(card));
+}
+
+export function sources(run: Run): HTMLElement | null {
+  if (run.sources.length === 0) return null;
+  const items = run.sources.map((s) => h("li", {}, h("code", {}, s.key), ` ${s.text}`));
+  return h("div", {}, h("h3", {}, "Sources"), h("ul", { class: "sources" }, ...items));
+}
+
+export function caseText(run: Run): HTMLElement {
+  return h(
+    "div",
+    {},
+    h("pre", { tabindex: "0", "aria-label": "The case" }, run.case),
+    h(
+      "details",
+      {},
+      h("summary", {}, "Every value, defaults as well, in SI"),
+      h("pre", { tabindex: "0", "aria-label": "The resolved case" }, run.resolved),
+    ),
+  );
+}
+
+/** Numbers of several runs side by side. */
+export function comparison(runs: Run[]): HTMLElement {
+  const row = (name: string, of: (r: Run) => Node | string): (Node | string)[] => [name, ...runs.map(of)];
+  const rows = [
+    row("verdict", chip),
+    row("cells [mm]", (r) => written(r.cell_mm)),
+    row("scheme", (r) => r.scheme),
+    row("steps", (r) => String(r.summary?.steps ?? "\u2013")),
+    row("cells with matter", (r) => r.summary?.cells.toLocaleString("en") ?? "\u2013"),
+    row("wall time [s]", (r) => written(r.summary?.wall_s, 3)),
+    row("drift of energy", (r) => written(r.summary?.budgets["total"]?.energy, 2)),
+  ];
+  const gauges = new Set(runs.flatMap((r) => Object.keys(r.summary?.gauges ?? {})));
+  for (const g of gauges) {
+    const any = runs.map((r) => r.summary?.gauges[g]).find((x) => x);
+    const name = `${g} ${any?.column ?? ""}`;
+    rows.push(row(`${name}, peak [${prettyUnit(any?.unit ?? "")}]`, (r) => written(r.summary?.gauges[g]?.peak, 5)));
+    rows.push(row(`${name}, arrival [\u00b5s]`, (r) => written(r.summary?.gauges[g]?.arrival_us, 5)));
+  }
+  for (const q of new Set(runs.flatMap((r) => Object.keys(r.summary?.expect ?? {}))))
+    rows.push(row(q, (r) => {
+      const e = r.summary?.expect[q];
+      return e ? `${quantity(e.value, e.unit)} ${e.pass ? "\u2713" : "\u2715"}` : "\u2013";
+    }));
+  const columns = runs.map((_, k) => k + 1);
+  return table("Runs side by side", ["", ...runs.map((r) => r.name)], rows, columns);
+}

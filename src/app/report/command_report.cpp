@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/report/report_page.hpp"
+#include "core/error.hpp"
+
+namespace recoil::app {
+
+namespace fs = std::filesystem;
+
+int report(const ReportOptions& o) {
+  if (!(o.most_mb > 0)) throw InputError("--max-mb is not above zero\n   = help: --max-mb 10");
+  const std::vector<fs::path> runs(o.folders.begin(), o.folders.end());
+  for (const fs::path& run : runs)
+    if (!fs::is_directory(run)) throw InputError(fmt::format("there is no folder {}", run.string()));
+  fs::path file = o.file;
+  if (file.empty()) file = runs.size() == 1 ? runs.front() / "report.html" : fs::path("report.html");
+  const WrittenReport written = write_report(file, runs, o.most_mb);
+  fmt::print("{}  {:.2f} MB\n", file.string(), static_cast<double>(written.bytes) * 1e-6);
+  for (const std::string& line : written.omissions)
+    fmt::print("  {}; --max-mb {:.0f} would show more\n", line, 4 * std::max(o.most_mb, 1.0));
+  return 0;
+}
+
+}  // namespace recoil::app

@@ -1,0 +1,227 @@
+// Drives report pages in Debian's chromium: node page.mjs FACTS.json, with the pages and what they must show as
+// report_test.py writes them. RECOIL_PAGE_FOLDER holds node_modules with playwright-core.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, before, test } from "node:test";
+
+const { chromium } = createRequire(`${process.env.RECOIL_PAGE_FOLDER}/package.json`)("playwright-core");
+const facts = JSON.parse(readFileSync(process.argv.at(-1), "utf8"));
+const FIELD = "canvas[data-part=field]";
+const SWITCHES = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"];
+const QUIET = ["--disable-background-networking", "--disable-component-update", "--disable-sync"];
+
+let browser;
+before(async () => {
+  browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: [...SWITCHES, ...QUIET] });
+});
+after(() => browser.close());
+
+/** Opens a page; `complaints` gathers what must not be: errors, warnings, requests. */
+async function opened(file, options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
+  const complaints = [];
+  page.on("console", (m) => complaints.push(`console ${m.type()}: ${m.text()}`));
+  page.on("pageerror", (e) => complaints.push(`error: ${e.message}`));
+  page.on("request", (r) => {
+    if (r.url() !== `file://${file}` && !r.url().startsWith("data:")) complaints.push(`request: ${r.url()}`);
+  });
+  await page.goto(`file://${file}`);
+  await page.waitForSelector(`${FIELD}[data-shown]`);
+  return { page, complaints };
+}
+
+const shown = (page) => page.locator(FIELD).getAttribute("data-shown");
+const picture = (page) => page.locator(FIELD).evaluate((c) => c.toDataURL());
+const waitShown = (page, text) => page.waitForSelector(`${FIELD}[data-shown="${text}"]`, { timeout: 10000 });
+
+async function slide(page, index) {
+  await page.getByRole("slider", { name: "Time" }).fill(String(index));
+}
+
+/** Moves the mouse over a place of the picture [mm]. */
+async function pointAt(page, x, y) {
+  const canvas = page.locator(FIELD);
+  await canvas.scrollIntoViewIfNeeded();
+  const area = JSON.parse(await canvas.getAttribute("data-area"));
+  const box = await canvas.boundingBox();
+  const px = area.left + ((x - area.x.from) / (area.x.to - area.x.from)) * area.width;
+  const py = area.top + (1 - (y - area.y.from) / (area.y.to - area.y.from)) * area.height;
+  await page.mouse.move(box.x + px, box.y + py);
+}
+
+async function readValue(page, field) {
+  const text = await page.locator(`[data-field="${field}"]`).textContent({ timeout: 10000 });
+  return Number(text.replace("\u2212", "-").replace(/[^-0-9.e].*$/, ""));
+}
+
+/** The least and largest time of several frames from its choice to its drawing [ms]. */
+async function frameTimes(page, indices) {
+  const times = [];
+  for (const k of indices) {
+    await slide(page, k);
+    await waitShown(page, `0 ${k} pressure`);
+    times.push(Number(await page.locator(FIELD).getAttribute("data-ms")));
+  }
+  return times.sort((a, b) => a - b);
+}
+
+for (const name of ["axisymmetric", "line", "space"])
+  test(`${name}: a page by itself, without a complaint`, async () => {
+    const { page, complaints } = await opened(facts[name].page);
+    await page.waitForSelector(".chart canvas");
+    assert.equal(await page.locator("h1").textContent(), facts[name].title);
+    assert.match(await page.locator("header .chip").textContent(), new RegExp(facts[name].verdict));
+    assert.equal(await page.locator("#gauges article").count(), facts[name].gauges);
+    assert.equal(await page.locator("#events tbody tr").count(), facts[name].events);
+    for (const word of facts[name].words) assert.ok((await page.locator("main").textContent()).includes(word), word);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  });
+
+test("the slider changes the picture", async () => {
+  const { page } = await opened(facts.axisymmetric.page);
+  const first = await picture(page);
+  await slide(page, facts.axisymmetric.frame);
+  await waitShown(page, `0 ${facts.axisymmetric.frame} pressure`);
+  assert.notEqual(await picture(page), first);
+  await slide(page, 0);
+  await waitShown(page, "0 0 pressure");
+  assert.equal(await picture(page), first);
+  await page.close();
+});
+
+for (const name of ["axisymmetric", "line", "space"])
+  test(`${name}: the values under the mouse are those of the field file`, async () => {
+    const { page } = await opened(facts[name].page);
+    await slide(page, facts[name].frame);
+    await waitShown(page, `0 ${facts[name].frame} pressure`);
+    for (const place of facts[name].places) {
+      await pointAt(page, place.x, place.y);
+      await page.waitForFunction((p) => document.querySelector("[data-part=place]")?.textContent.includes(p), place.text);
+      for (const [field, { value, tolerance }] of Object.entries(place.values)) {
+        const read = await readValue(page, field);
+        assert.ok(Math.abs(read - value) <= tolerance, `${field} at ${place.text}: ${read}, the file has ${value}`);
+      }
+    }
+    await page.close();
+  });
+
+test("keys move through frames, fields and places", async () => {
+  const { page, complaints } = await opened(facts.axisymmetric.page);
+  await page.locator(FIELD).focus();
+  await page.keyboard.press("ArrowRight");
+  await waitShown(page, "0 1 pressure");
+  await page.keyboard.press("End");
+  await waitShown(page, `0 ${facts.axisymmetric.frames - 1} pressure`);
+  await page.keyboard.press("ArrowLeft");
+  await waitShown(page, `0 ${facts.axisymmetric.frames - 2} pressure`);
+  await page.keyboard.press("Home");
+  await waitShown(page, "0 0 pressure");
+  await page.keyboard.press("]");
+  await page.waitForFunction((f) => !document.querySelector(f).dataset.shown.endsWith("pressure"), FIELD);
+  await page.keyboard.press("[");
+  await waitShown(page, "0 0 pressure");
+  await page.keyboard.press("Shift+ArrowUp");
+  const place = await page.locator("[data-part=place]").textContent();
+  await page.keyboard.press("Shift+ArrowUp");
+  await page.waitForFunction((p) => document.querySelector("[data-part=place]").textContent !== p, place);
+  await page.keyboard.press(" ");
+  await page.waitForFunction((f) => document.querySelector(f).dataset.shown.split(" ")[1] > 1, FIELD);
+  await page.keyboard.press(" ");
+  assert.equal(await page.getByRole("button", { name: "Play" }).count(), 1);
+  const before = await picture(page);
+  await page.keyboard.press("+");
+  await page.waitForFunction(([f, p]) => document.querySelector(f).toDataURL() !== p, [FIELD, before]);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("everything that can be used or seen has a name", async () => {
+  const { page } = await opened(facts.axisymmetric.page);
+  await page.waitForSelector(".chart canvas");
+  const session = await page.context().newCDPSession(page);
+  const { nodes } = await session.send("Accessibility.getFullAXTree");
+  const roles = ["button", "combobox", "slider", "image", "img", "link", "table", "region"];
+  const used = nodes.filter((n) => !n.ignored && roles.includes(n.role?.value));
+  assert.ok(used.length > 20, `${used.length} parts`);
+  assert.deepEqual(used.filter((n) => !n.name?.value).map((n) => n.role.value), []);
+  await page.close();
+});
+
+test("a time of the events leads to its picture", async () => {
+  const { page } = await opened(facts.axisymmetric.page);
+  await page.locator("#events button").last().click();
+  await waitShown(page, `0 ${facts.axisymmetric.lastEvent} pressure`);
+  await page.close();
+});
+
+test("a field along a line over time", async () => {
+  const { page, complaints } = await opened(facts.axisymmetric.page);
+  await page.getByRole("button", { name: "z\u2013t" }).click();
+  const canvas = page.locator("canvas[data-part=over-time]");
+  await canvas.waitFor({ state: "visible" });
+  assert.match(await canvas.getAttribute("aria-label"), /pressure .* along z/);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("slices of a solid", async () => {
+  const { page, complaints } = await opened(facts.space.page);
+  const first = await picture(page);
+  await page.getByRole("combobox", { name: "Slice" }).selectOption("2");
+  await waitShown(page, "2 0 pressure");
+  assert.notEqual(await picture(page), first);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("two runs on one page", async () => {
+  const { page, complaints } = await opened(facts.both.page);
+  for (const name of facts.both.names)
+    assert.ok((await page.locator("#runs thead").textContent()).includes(name), name);
+  await page.waitForSelector("#gauges .u-legend");
+  const legend = await page.locator("#gauges .u-legend").first().textContent();
+  for (const name of facts.both.names) assert.ok(legend.includes(name), legend);
+  await page.getByRole("combobox", { name: "Run" }).selectOption(facts.both.names[1]);
+  await page.waitForSelector(`${FIELD}[data-shown]`);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("a reference is drawn over its gauge", async () => {
+  const { page } = await opened(facts.line.page);
+  await page.waitForSelector("#gauges .u-legend");
+  const legend = await page.locator("#gauges .u-legend").first().textContent();
+  assert.ok(legend.includes("reference.csv") && legend.includes("1-D waves"), legend);
+  await page.close();
+});
+
+test("a page that was too large says what it left out", async () => {
+  const { page } = await opened(facts.small.page);
+  assert.ok((await page.locator("#fields").textContent()).includes(facts.small.omission));
+  await page.close();
+});
+
+test("dark and light differ, by choice as well", async () => {
+  const colour = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const { page } = await opened(facts.line.page, { colorScheme: "dark" });
+  const dark = await colour(page);
+  await page.getByRole("button", { name: "Light" }).click();
+  assert.notEqual(await colour(page), dark);
+  await page.close();
+});
+
+test("loads and draws at once", async (t) => {
+  const begun = performance.now();
+  const { page } = await opened(facts.axisymmetric.page);
+  const load = performance.now() - begun;
+  const times = await frameTimes(page, [1, 2, 3, 4, 5, 6, 7, 8, 9]);
+  const median = times[Math.floor(times.length / 2)];
+  t.diagnostic(`first picture after ${load.toFixed(0)} ms, a frame in ${median.toFixed(0)} ms (${times.join(", ")})`);
+  // A browser of its own on a free machine needs a fifth of this; CI shares two processors.
+  assert.ok(load < 10000, `${load} ms`);
+  assert.ok(median < 500, `${median} ms`);
+  await page.close();
+});
