@@ -109,6 +109,7 @@ struct Surfaces {
     Approach p;
     p.first = static_cast<int>(a), p.second = static_cast<int>(b);
     if (c.bodies[a].spin != config::Vector{} || c.bodies[b].spin != config::Vector{}) return p;
+    if (c.bodies[a].radial_velocity != 0 || c.bodies[b].radial_velocity != 0) return p;
     const Vec<Dim> w = config::first_components<Dim>(c.bodies[a].velocity) -
                        config::first_components<Dim>(c.bodies[b].velocity);
     const double speed = norm(w);

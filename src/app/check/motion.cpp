@@ -20,7 +20,9 @@ namespace {
 using config::Body;
 using config::Case;
 
-bool moves(const Body& b) { return b.velocity != config::Vector{} || b.spin != config::Vector{}; }
+bool moves(const Body& b) {
+  return b.velocity != config::Vector{} || b.spin != config::Vector{} || b.radial_velocity != 0;
+}
 
 double speed_of(const Body& b) { return std::hypot(b.velocity[0], b.velocity[1], b.velocity[2]); }
 
@@ -96,7 +98,8 @@ void check_parting(LoadedCase& loaded, const std::vector<Approach>& all) {
 void check_motion(LoadedCase& loaded) {
   const Case& c = loaded.contents;
   if (std::none_of(c.bodies.begin(), c.bodies.end(), moves)) {
-    loaded.found.error(c.bodies.front().place, "nothing moves: no body has a velocity or a spin",
+    loaded.found.error(c.bodies.front().place,
+                       "nothing moves: no body has a velocity, a spin or a radial-velocity",
                        fmt::format("e.g. velocity = {{ {} = \"450 m/s\" }} in [body.{}]",
                                    config::axes_of(c.domain.geometry).front(), c.bodies.front().name));
     return;
