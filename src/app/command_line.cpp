@@ -54,6 +54,10 @@ struct Commands {
   StatusOptions status;
   NewOptions fresh;
   std::string material, key, cited, shell;
+  std::vector<std::string> materials;
+  ImportOptions import_from;
+  HugoniotOptions hugoniot;
+  MatchOptions match;
   bool markdown = false;
   std::function<int()> chosen;
 
@@ -74,6 +78,7 @@ struct Commands {
     add_report();
     add_study();
     add_verify();
+    add_material();
     add_rest();
   }
 
@@ -230,13 +235,39 @@ struct Commands {
     c->add_option("-o,--output", verify.folder, "output folder (default: runs/verify)")->type_name("DIR");
   }
 
-  void add_rest() {
-    CLI::App* m = top.add_subcommand("material", "the library of materials");
+  void add_material() {
+    CLI::App* m = top.add_subcommand("material", "materials: of the library and of your own");
     m->require_subcommand(1);
     command(*m, "list", "list names and titles", [] { return list_library(); });
     CLI::App* show =
         command(*m, "show", "print one material in full", [this] { return show_material(material); });
     show->add_option("name", material, "e.g. copper/seed")->required()->type_name("MATERIAL");
+    command(*m, "lint", "look for constants that contradict each other",
+            [this] { return lint_materials(materials); })
+        ->add_option("name", materials, "names (default: all materials)")
+        ->type_name("MATERIAL...");
+    CLI::App* i = command(*m, "import", "print a material made from cards of an LS-DYNA keyword file",
+                          [this] { return import_material(import_from); });
+    i->add_option("file", import_from.file, "with *MAT_JOHNSON_COOK and *EOS_GRUNEISEN")
+        ->required()
+        ->type_name("FILE");
+    i->add_option("--units", import_from.units, "of its numbers: SI, g-mm-ms, g-cm-us, kg-mm-ms or t-mm-s")
+        ->required()
+        ->type_name("UNITS");
+    CLI::App* h = command(*m, "hugoniot", "print the states behind shocks, and draw them",
+                          [this] { return print_hugoniot(hugoniot); });
+    h->add_option("name", hugoniot.name, "e.g. copper/seed")->required()->type_name("MATERIAL");
+    h->add_option("--to", hugoniot.to, "largest velocity of the matter: \"3 km/s\"")->type_name("SPEED");
+    h->add_option("-o,--output", hugoniot.file, "picture: .png, .svg or .pdf")->type_name("FILE");
+    CLI::App* x = command(*m, "match", "print the state that an impact makes, and draw how it is found",
+                          [this] { return match_materials(match); });
+    x->add_option("flyer", match.flyer, "the material that flies")->required()->type_name("MATERIAL");
+    x->add_option("target", match.target, "the material at rest")->required()->type_name("MATERIAL");
+    x->add_option("--speed", match.speed, "of the flyer: \"2 km/s\"")->required()->type_name("SPEED");
+    x->add_option("-o,--output", match.file, "picture: .png, .svg or .pdf")->type_name("FILE");
+  }
+
+  void add_rest() {
     CLI::App* b = command(top, "cite", "print BibTeX entries of the code and of what a case or a run uses",
                           [this] { return cite(cited); });
     b->add_option("case", cited, "case file, its folder, or the folder of a run")

@@ -2,51 +2,97 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/data_folder.hpp"
+#include "app/named_material.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
 #include "material/library.hpp"
+#include "material/lint.hpp"
+#include "material/ls_dyna.hpp"
 
 namespace recoil::app {
 
 namespace {
 
-/// A material of the library by its name. @throws InputError with the nearest names.
-Material library_material(const std::string& name) {
+/// Of all folders. @throws EnvironmentError where there are none.
+std::vector<std::string> all_names() {
+  std::vector<std::string> names = list_materials(material_folders());
+  if (names.empty())
+    throw EnvironmentError(
+        fmt::format("there are no materials in {}\n   = help: set RECOIL_DATA to the folder that "
+                    "holds materials/",
+                    materials_folder().string()));
+  return names;
+}
+
+}  // namespace
+
+Material named_material(const std::string& name) {
   config::Diagnostics out;
-  const auto material = find_material(name, nullptr, materials_folder(), out, {"command line"});
+  const auto material = find_material(name, nullptr, material_folders(), out, {"command line"});
   if (material) return *material;
-  const std::string near = did_you_mean(name, list_materials(materials_folder()));
+  const std::string near = did_you_mean(name, list_materials(material_folders()));
   for (const auto& d : out.list())
     if (d.place.line > 0) throw InputError(out.text());  // the file exists, and is wrong
   throw InputError(fmt::format("there is no material '{}'\n   = help: {}", name,
                                near.empty() ? "`recoil material list` lists all" : near));
 }
 
-}  // namespace
-
 int list_library() {
-  const std::vector<std::string> names = list_materials(materials_folder());
-  if (names.empty())
-    throw EnvironmentError(
-        fmt::format("there are no materials in {}\n   = help: set RECOIL_DATA to the folder that "
-                    "holds materials/",
-                    materials_folder().string()));
+  const std::vector<std::string> names = all_names();
   std::size_t width = 0;
   for (const std::string& n : names) width = std::max(width, n.size());
   for (const std::string& n : names) {
-    const Material m = library_material(n);
-    fmt::print("{:{}}  {:6.0f} kg/m3  {}\n", n, width, density(m), m.title);
+    const Material m = named_material(n);
+    fmt::print("{:{}}  {:8.5g} kg/m3  {}\n", n, width, density(m), m.title);
   }
   return 0;
 }
 
 int show_material(const std::string& name) {
-  fmt::print("# {}\n{}", name, to_toml(library_material(name)));
+  fmt::print("# {}\n# {}\n{}", name, material_file(name, material_folders()).string(),
+             to_toml(named_material(name)));
+  return 0;
+}
+
+int lint_materials(const std::vector<std::string>& names) {
+  int found = 0, certain = 0;
+  const std::vector<std::string> list = names.empty() ? all_names() : names;
+  for (const std::string& n : list) {
+    for (const Suspicion& s : lint(named_material(n))) {
+      fmt::print("{}: {}: {}: {}\n   = help: {}\n", n, s.certain ? "error" : "warning", s.key, s.message,
+                 s.help);
+      ++found;
+      certain += s.certain ? 1 : 0;
+    }
+  }
+  fmt::print("{} material{}, {}\n", list.size(), list.size() == 1 ? "" : "s",
+             found == 0 ? std::string("nothing to remark") : fmt::format("{} to look at", found));
+  return certain > 0 ? exit_bad_input : 0;
+}
+
+int import_material(const ImportOptions& o) {
+  const auto units = std::find_if(card_units().begin(), card_units().end(),
+                                  [&](const CardUnits& u) { return o.units == u.name; });
+  if (units == card_units().end())
+    throw InputError(
+        fmt::format("--units must be SI, g-mm-ms, g-cm-us, kg-mm-ms or t-mm-s, not {}", o.units));
+  std::ifstream file(o.file);
+  if (!file) throw InputError(fmt::format("cannot read {}", o.file));
+  std::stringstream text;
+  text << file.rdbuf();
+  ImportedMaterial found = import_cards(text.str(), *units);
+  found.material.title = "imported from " + std::filesystem::path(o.file).filename().string();
+  for (const std::string& part : found.left_out) fmt::print("# not taken over: {}\n", part);
+  fmt::print("{}", to_toml(found.material));
   return 0;
 }
 

@@ -107,6 +107,28 @@ int doctor();
 
 int list_library();
 int show_material(const std::string& name);
+int lint_materials(const std::vector<std::string>& names);  // none: all
+
+struct ImportOptions {
+  std::string file;   // of keywords
+  std::string units;  // name of one of card_units()
+};
+int import_material(const ImportOptions& options);
+
+struct HugoniotOptions {
+  std::string name;
+  std::string to;    // largest velocity of the matter; empty: 3 km/s, or what the material reaches
+  std::string file;  // picture; empty: none
+};
+int print_hugoniot(const HugoniotOptions& options);
+
+struct MatchOptions {
+  std::string flyer, target;
+  std::string speed;
+  std::string file;  // picture; empty: none
+};
+int match_materials(const MatchOptions& options);
+
 int print_schema(bool markdown);
 int explain(const std::string& key);
 

@@ -70,10 +70,11 @@ LoadedCase load_case(const std::string& word, const std::vector<std::string>& ov
   loaded.contents = config::read_case(file.string(), loaded.document, loaded.found, overrides);
   if (!home.empty()) loaded.contents.file = home.string();
   add_expected_file(loaded);
+  const fs::path beside = loaded.folder.empty() ? fs::path(".") : loaded.folder;
   for (const config::Body& body : loaded.contents.bodies) {
     Material none;
     if (!body.rigid && !body.material.empty()) {
-      auto material = find_material(body.material, &loaded.document, materials_folder(), loaded.found,
+      auto material = find_material(body.material, &loaded.document, material_folders(beside), loaded.found,
                                     body.material_place);
       if (material) none = std::move(*material);
     }

@@ -66,10 +66,11 @@ void for_each_row(const Work<Dim>& w, F&& f) {
 }
 
 /// 1/|S| of cells at yield that load on, else 0.
-template <int Dim, class StrengthModel, class EosModel>
-void find_loading(const StrengthModel& strength, const EosModel& eos, const TemperatureLaw& law,
-                  Work<Dim>& w) {
+template <int Dim, class StrengthModel>
+void find_loading(const StrengthModel& strength, const Body<Dim>& body, Work<Dim>& w) {
   using C = Components<Dim>;
+  const Eos& eos = body.material.eos;
+  const bool has_extra = barotropic(eos);
   const Reader<Dim> read = reader(w, strength.shear_modulus);
   for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
     double* loading = w.ahead.loading + first;
@@ -87,11 +88,14 @@ void find_loading(const StrengthModel& strength, const EosModel& eos, const Temp
       if (!(working > 0)) continue;
       const auto v = read.at(first + i);
       const double square = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
-      double e = eos.energy(v[C::rho], v[C::p]);
-      if constexpr (EosModel::barotropic) e += v[C::extra];
+      double e = energy(eos, v[C::rho], v[C::p]);
+      if (has_extra) e += v[C::extra];
       e -= distortion_energy(square, strength.shear_modulus, v[C::rho]);
       const double yield =
-          strength.yield(std::max(v[C::ep], 0.0), 0, law(v[C::rho], e, v[C::temperature_rise]));
+          strength.yield({.ep = std::max(v[C::ep], 0.0),
+                          .temperature = body.temperature(v[C::rho], e, v[C::temperature_rise]),
+                          .pressure = v[C::p],
+                          .compression = v[C::rho] / density(eos)});
       if (square > 0 && square >= at_yield * yield * yield) loading[i] = std::sqrt(1.5 / square);
     }
   });
@@ -171,9 +175,7 @@ void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& w, Scratch& scr
   w.ahead.loading = scratch.take_filled<double>(w.wide + vector_length, 0);
   find_open(w, scratch);
   if (has_strength(body.material.strength))
-    std::visit(
-        [&](const auto& strength, const auto& eos) { find_loading(strength, eos, body.temperature, w); },
-        body.material.strength, body.material.eos);
+    std::visit([&](const auto& strength) { find_loading(strength, body, w); }, body.material.strength);
   for_each_axis<Dim>([&](auto axis) {
     w.ahead.change[axis] = scratch.take<double>(n);
     find_change<Dim, axis>(g, 0.5 * dt, w);

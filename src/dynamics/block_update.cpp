@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <variant>
 
 #include "cutcell/whole_cells.hpp"
 #include "dynamics/block_half_step.hpp"
 #include "dynamics/block_sources.hpp"
 #include "dynamics/face_sweep.hpp"
+#include "material/eos/any_eos.hpp"
 
 namespace recoil {
 
@@ -141,16 +143,17 @@ template <class Scheme, int Dim>
 void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, FaceTime faces, double dt,
                  double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   if (body.at(slot).matter.size() == 0) return;
-  std::visit(
-      [&](const auto& eos) {
-        if (has_strength(body.material.strength))
-          update<Dim, true, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters,
-                                    scratch);
-        else
-          update<Dim, false, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters,
-                                     scratch);
-      },
-      body.material.eos);
+  const auto with = [&]<class EosModel>(const EosModel& eos) {
+    if constexpr (!is_fluid<EosModel>())
+      if (has_strength(body.material.strength))
+        return update<Dim, true, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters,
+                                         scratch);
+    update<Dim, false, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters, scratch);
+  };
+  if constexpr (std::is_same_v<Scheme, EnoLlf>)
+    with_any_eos(body.material.eos, with);  // its loops do not vectorise anyway
+  else
+    std::visit(with, body.material.eos);
 }
 
 }  // namespace

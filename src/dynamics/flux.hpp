@@ -152,7 +152,7 @@ struct StateBounds {
 
   template <class EosModel>
   StateBounds(const EosModel& eos, double shear_modulus)
-      : least_rho(0.3 * eos.rho0),
+      : least_rho(0.6 * density_range<EosModel>().least * eos.rho0),
         least_c2(least_sound * bulk_sound_speed(eos) * bulk_sound_speed(eos)),
         stiffness(4.0 / 3 * shear_modulus) {}
 

@@ -20,9 +20,10 @@ template <int Dim, class EosModel>
                                                     double volume) {
   using C = Components<Dim>;
   const double rho = q[C::rho] / volume;
+  constexpr DensityRange range = density_range<EosModel>();
   if (q[C::damage] > 0 && q[C::damage] >= failed_damage * q[C::rho])
-    return !((rho > 0) & (rho < largest_density * eos.rho0));
-  const bool possible = (rho > least_density * eos.rho0) & (rho < largest_density * eos.rho0);
+    return !((rho > 0) & (rho < range.most * eos.rho0));
+  const bool possible = (rho > range.least * eos.rho0) & (rho < range.most * eos.rho0);
   double momentum2 = 0;
   for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
   const double p = eos.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);

@@ -7,12 +7,11 @@
 
 namespace recoil {
 
-/// States that the equations do not admit: they are marked, averaged with what is around, and the
-/// marks are cleared.
-inline constexpr double least_density = 0.5, largest_density = 2.5;  // of rho0, admissible
+// States that the equations do not admit: they are marked, averaged with what is around, and the marks are
+// cleared.
 
-/// Whether contents are beyond what the equations admit: density outside 0.5-2.5 rho0, or c^2 below 0.02
-/// c0^2.
+/// Whether contents are beyond what the equations admit: density outside the DensityRange of the equation of
+/// state (of solids 0.5-2.5 rho0), or c^2 below 0.02 c0^2.
 template <int Dim>
 bool inadmissible(const Material& material, const Contents<Dim>& contents, double volume);
 

@@ -18,8 +18,8 @@ constexpr double least_strain = 1e-6, least_heat = 1e-3;  // 1, K: what is neare
 /// One cell: contents q (distance n between components) of a fragment of volume v.
 /// @returns by how much the plastic strain grows.
 template <int Dim, class StrengthModel>
-double return_cell(const StrengthModel& strength, const TemperatureLaw& law, double* q, std::size_t n,
-                   double v, double dt) {
+double return_cell(const StrengthModel& strength, const Body<Dim>& body, double* q, std::size_t n, double v,
+                   double dt) {
   using C = Components<Dim>;
   const double mass = q[C::rho * n], rho = mass / v;
   if (!(rho > 0)) return 0;
@@ -27,17 +27,22 @@ double return_cell(const StrengthModel& strength, const TemperatureLaw& law, dou
   const double ep = q[C::ep * n] / mass > 0 ? q[C::ep * n] / mass : 0.0;
   double kinetic = 0;
   for (std::size_t d = 0; d < Dim; ++d) kinetic += q[(C::u + d) * n] * q[(C::u + d) * n];
-  const double e = (q[C::energy * n] - 0.5 * kinetic / mass) / mass -
-                   distortion_energy(trial2, strength.shear_modulus, rho);
-  const double temperature = law(rho, e, q[C::temperature_rise * n] / mass);
+  const double internal = (q[C::energy * n] - 0.5 * kinetic / mass) / mass;
+  const double e = internal - distortion_energy(trial2, strength.shear_modulus, rho);
+  YieldState before{.ep = ep, .temperature = body.temperature(rho, e, q[C::temperature_rise * n] / mass)};
+  if constexpr (pressure_dependent<StrengthModel>()) {
+    before.pressure = pressure(body.material.eos, rho, internal);
+    before.compression = rho / density(body.material);
+  }
   const double trial = std::sqrt(trial2);
-  const double increment = plastic_increment(strength, trial, ep, temperature, dt);
+  const double increment = plastic_increment(strength, trial, before, dt);
   if (!(increment > 0)) return 0;
   const double left = 1 - 3 * strength.shear_modulus * increment / trial;
   const double scale = left > 0 ? left : 0.0;
   for (std::size_t c = C::s; c < C::ep; ++c) q[c * n] *= scale;
   q[C::ep * n] = mass * (ep + increment);
-  q[C::temperature_rise * n] += mass * plastic_heating(law.thermal(), scale * trial, increment, rho);
+  q[C::temperature_rise * n] +=
+      mass * plastic_heating(body.temperature.thermal(), scale * trial, increment, rho);
   return increment;
 }
 
@@ -59,13 +64,13 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
           if (b.volume[k] == 0) return;
           double* const q = b.contents.data() + k;
           if (!fails) {
-            return_cell<Dim>(strength, body.temperature, q, n, b.volume[k], dt);
+            return_cell<Dim>(strength, body, q, n, b.volume[k], dt);
             return;
           }
           FailingCell<Dim> cell(body, q, n, b.volume[k]);
           if (cell.relieve()) return;
           const bool failed = cell.has_failed();
-          const double growth = return_cell<Dim>(strength, body.temperature, q, n, b.volume[k], dt);
+          const double growth = return_cell<Dim>(strength, body, q, n, b.volume[k], dt);
           ledger.counters.clamped_damage += cell.grow(dt, growth);
           if (!failed && cell.has_failed()) ledger.failures[number].note(state.time, i);
         });

@@ -15,10 +15,11 @@ namespace recoil {
 namespace {
 
 // A donor is averaged where it fills more than this part of a cell and its density lies between these
-// multiples of rho0 (of the stages of a step only: at its start the donor's fill has been judged).
-constexpr double least_averaged = 0.1, thinnest_averaged = 0.2, densest_averaged = 3;
-constexpr double thinnest_used = 0.2;  // of rho0: a fragment below it is of no use to fits and stencils ...
-constexpr double thinnest_failed = 1e-3;  // ... unless it has failed: then most of it may be void
+// multiples of the ends of the DensityRange (of the stages of a step only: at its start the donor's fill has
+// been judged).
+constexpr double least_averaged = 0.1, thinnest_averaged = 0.4, densest_averaged = 1.2;
+constexpr double thinnest_used = 0.4;  // likewise: a fragment below it is of no use to fits and stencils ...
+constexpr double thinnest_failed = 1e-3;  // ... unless it has failed (of rho0): then most of it may be void
 
 template <int Dim>
 std::string place_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
@@ -45,9 +46,8 @@ template <int Dim>
   throw PhysicsError(fmt::format(
       "{} has a density beyond its equation of state at {}, {:.6g} us: {:.6g} kg/m3, the largest is {:.6g}; "
       "velocity ({}) m/s, internal energy {:.6g} J/kg, {:.3g} of a cell",
-      body.name, place_of(state, slot, local), state.time * 1e6, rho,
-      std::visit([](const auto& eos) { return eos.largest_density(); }, body.material.eos), velocity,
-      q[Components<Dim>::energy] / mass - kinetic,
+      body.name, place_of(state, slot, local), state.time * 1e6, rho, largest_density(body.material.eos),
+      velocity, q[Components<Dim>::energy] / mass - kinetic,
       b.volume[k] / state.grid().full_volume(state.mesh.block(slot).cells.lo + local)));
 }
 
@@ -86,6 +86,7 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
   BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
   const auto n = static_cast<std::size_t>(layout.size());
+  constexpr DensityRange range = density_range<EosModel>();
   if (!b.near_surface) {
     Box<Dim> rows = cells;
     rows.hi[0] = rows.lo[0] + 1;
@@ -96,7 +97,8 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
     });
   } else {
     // Runs of good donors go through the same loop as whole rows.
-    const double thinnest = can_fail(body.material.damage) ? thinnest_failed : thinnest_averaged;
+    const double thinnest =
+        can_fail(body.material.damage) ? thinnest_failed : thinnest_averaged * range.least;
     std::size_t first = 0, count = 0;
     const auto flush = [&] {
       if (count > 0)
@@ -107,7 +109,7 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
       const double volume = b.volume[k], rho = b.contents[k] / volume;
       const bool donor = (b.role[k] & donates) != 0;
       if (donor && volume > least_averaged * state.grid().full_volume(i) && rho > thinnest * eos.rho0 &&
-          rho < densest_averaged * eos.rho0) {
+          rho < densest_averaged * range.most * eos.rho0) {
         if (count > 0 && k != first + count) flush();
         if (count == 0) first = k;
         ++count;
@@ -134,7 +136,8 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
   const auto has_failed = [&](std::size_t k) {
     return b.contents[Components<Dim>::damage * b.volume.size() + k] >= failed_damage * b.contents[k];
   };
-  const double densest = std::visit([](const auto& eos) { return eos.largest_density(); }, body.material.eos);
+  const double densest = largest_density(body.material.eos);
+  const double thinnest = thinnest_used * density_range(body.material.eos).least;
   for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     const double fill = b.volume[k] / state.grid().full_volume(i);
     std::uint8_t role = 0;
@@ -143,7 +146,7 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
     const double rho = role != 0 ? b.contents[k] / b.volume[k] : rho0;
     if (fill >= regular_fill && !(rho < densest))
       refuse_density(state, body, slot, i - state.mesh.block(slot).cells.lo, k);
-    if (role != 0 && !(rho > (fails && has_failed(k) ? thinnest_failed : thinnest_used) * rho0)) {
+    if (role != 0 && !(rho > (fails && has_failed(k) ? thinnest_failed : thinnest) * rho0)) {
       ++counters.fragments_too_thin;
       role = 0;
     }

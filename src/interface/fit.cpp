@@ -247,9 +247,10 @@ double loading_of(const EosModel& eos, const Body<Dim>& body, const Primitives<D
   const double square = equivalent_stress_squared<Dim>(w.data() + C::s, 1);
   e -= distortion_energy(square, shear_modulus(body.material), w[C::rho]);
   const double temperature = body.temperature(w[C::rho], e, w[C::temperature_rise]);
-  const double yield =
-      std::visit([&](const auto& m) { return m.yield(w[C::ep], 0, temperature); }, body.material.strength);
-  return square > 0 && square >= at_yield * yield * yield ? std::sqrt(1.5 / square) : 0;
+  const double yielding = yield(
+      body.material.strength,
+      {.ep = w[C::ep], .temperature = temperature, .pressure = w[C::p], .compression = w[C::rho] / eos.rho0});
+  return square > 0 && square >= at_yield * yielding * yielding ? std::sqrt(1.5 / square) : 0;
 }
 
 template <int Dim, class EosModel>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <type_traits>
 #include <variant>
 
 #include "core/error.hpp"
@@ -37,10 +36,10 @@ double rising_root(const F& f, double lo, double hi) {
   return x;
 }
 
-template <class Model>
-Model without_rate(Model model) {
-  if constexpr (std::is_same_v<Model, JohnsonCook>) model.c = 0;
-  return model;
+/// At the rates of a model's own constants: the rate of a shock is not known.
+Strength without_rate(Strength strength) {
+  if (auto* johnson_cook = std::get_if<JohnsonCook>(&strength)) johnson_cook->c = 0;
+  return strength;
 }
 
 /// Where one jump starts: matter at rest, or behind the elastic precursor.
@@ -48,18 +47,18 @@ struct Front {
   double density, velocity, stress, energy;
 };
 
-template <class EosModel, class StrengthModel>
 class Shock {
  public:
-  Shock(const EosModel& eos, const StrengthModel& strength, const Material& m)
-      : eos_(eos), strength_(without_rate(strength)), law_(m.thermal, m.eos) {
-    rest_ = {eos.rho0, 0, 0, 0};
-    limit_ = std::min(eos.largest_density(), 20 * eos.rho0) * (1 - 1e-9);
-    const double initial_yield = strength_.yield(0, 0, m.thermal.initial_temperature);
-    if (!(strength_.shear_modulus > 0) || !(initial_yield > 0)) return;
-    const double strain = initial_yield / (2 * strength_.shear_modulus);
-    elastic_density_ = eos.rho0 * std::exp(std::min(strain, 100.0));
-    if (elastic_density_ >= limit_) return;  // never yields
+  explicit Shock(const Material& m)
+      : eos_(m.eos),
+        strength_(without_rate(m.strength)),
+        law_(m.thermal, m.eos),
+        rho0_(density(m)),
+        shear_modulus_(shear_modulus(m)) {
+    rest_ = {rho0_, 0, 0, 0};
+    limit_ = std::min(largest_density(eos_), 20 * rho0_) * (1 - 1e-9);
+    elastic_density_ = find_elastic_limit(m.thermal.initial_temperature);
+    if (!yields()) return;
     const ShockState e = jump(rest_, elastic_density_);
     elastic_ = {e.density, e.velocity, e.stress, e.energy};
     elastic_speed_ = e.shock_speed;
@@ -67,10 +66,10 @@ class Shock {
 
   ShockState at_velocity(double velocity) const {
     const auto behind = [&](double rho) { return at_density(rho).velocity - velocity; };
-    if (!(velocity > 0)) return jump(rest_, eos_.rho0);
+    if (!(velocity > 0)) return jump(rest_, rho0_);
     const double top = last_density();
     if (behind(top) < 0) fail(velocity);
-    return at_density(rising_root(behind, eos_.rho0, top));
+    return at_density(rising_root(behind, rho0_, top));
   }
 
   double largest_velocity() const { return at_density(last_density()).velocity; }
@@ -89,45 +88,82 @@ class Shock {
 
   bool yields() const { return elastic_density_ > 0 && elastic_density_ < limit_; }
 
-  /// The jump conditions of one front from `from` to density rho. Pressure is affine in energy.
+  /// The density at which uniaxial strain reaches the yield stress; 0: no strength. Where pressure raises the
+  /// yield stress the elastic stress may never catch up with it: then beyond the limit.
+  double find_elastic_limit(double temperature) const {
+    if (!(shear_modulus_ > 0)) return 0;
+    if (!pressure_dependent(strength_)) {
+      const double initial_yield = yield(strength_, {.temperature = temperature});
+      const double strain = initial_yield / (2 * shear_modulus_);
+      return initial_yield > 0 ? rho0_ * std::exp(std::min(strain, 100.0)) : 0.0;
+    }
+    double low = rho0_, high = rho0_;
+    const auto holds = [&](double rho) { return jump(rest_, rho).plastic_strain == 0; };
+    for (double step = 1e-6; holds(high); step *= 1.5) {
+      low = high;
+      high = rho0_ * (1 + step);
+      if (high >= limit_) return 2 * limit_;
+    }
+    for (int i = 0; i < 60 && low < high; ++i) {
+      const double middle = 0.5 * (low + high);
+      (holds(middle) ? low : high) = middle;
+    }
+    return low > rho0_ ? low : 0.0;
+  }
+
+  /// Stress and energy behind a front to density s.density that carries this deviator: Newton's method over
+  /// the energy, which ends at once where pressure is linear in it.
+  void close(const Front& from, double dv, double deviator, ShockState& s) const {
+    double e = 0;
+    for (int i = 0; i < 40; ++i) {
+      const double p = pressure(eos_, s.density, e), slope = pressure(eos_, s.density, e + 1) - p;
+      const double known = p + deviator + slope * (from.energy - e + 0.5 * from.stress * dv);
+      s.stress = known / (1 - 0.5 * slope * dv);
+      s.energy = from.energy + 0.5 * (s.stress + from.stress) * dv;
+      if (std::fabs(s.energy - e) <= 1e-12 * std::fabs(s.energy)) break;
+      e = s.energy;
+    }
+    s.pressure = s.stress - deviator;
+  }
+
+  /// The jump conditions of one front from `from` to density rho.
   ShockState jump(const Front& from, double rho) const {
     ShockState s;
     s.density = rho;
     const double dv = 1 / from.density - 1 / rho;
-    const double p0 = eos_.pressure(rho, 0), slope = eos_.pressure(rho, 1) - p0;
-    const auto close = [&](double deviator) {
-      const double known = p0 + deviator + slope * (from.energy + 0.5 * from.stress * dv);
-      s.stress = known / (1 - 0.5 * slope * dv);
-      s.energy = from.energy + 0.5 * (s.stress + from.stress) * dv;
-    };
-    close(0);
+    close(from, dv, 0, s);
     load(s);
     // The temperature may follow the energy, and the energy the strength: a mild coupling.
+    const bool coupled = law_.thermal().rule == Thermal::Rule::energy || pressure_dependent(strength_);
     for (int i = 0; i < 30; ++i) {
       const double before = s.stress;
-      close(deviator(s));
+      close(from, dv, deviator(s), s);
       if (std::fabs(s.stress - before) <= 1e-15 * std::fabs(s.stress)) break;
-      if (law_.thermal().rule == Thermal::Rule::energy) load(s);
+      if (coupled) load(s);
     }
     s.pressure = s.stress - deviator(s);
     const double du = std::sqrt(std::max((s.stress - from.stress) * dv, 0.0));
     s.velocity = from.velocity + du;
     s.shock_speed =
         du > 0 ? from.velocity + (s.stress - from.stress) / (from.density * du) : longitudinal(s.density, 0);
-    const double c2 = eos_.sound_speed_squared(rho, s.pressure);
+    const double c2 = sound_speed_squared(eos_, rho, s.pressure);
     s.bulk_speed = std::sqrt(std::max(c2, 0.0));
     s.release_speed = longitudinal(rho, s.pressure);
     return s;
   }
 
   double longitudinal(double rho, double p) const {
-    const double c2 = eos_.sound_speed_squared(rho, p) + 4 * strength_.shear_modulus / (3 * rho);
+    const double c2 = sound_speed_squared(eos_, rho, p) + 4 * shear_modulus_ / (3 * rho);
     return std::sqrt(std::max(c2, 0.0));
+  }
+
+  YieldState state_of(const ShockState& s, double ep, double temperature) const {
+    return {.ep = ep, .temperature = temperature, .pressure = s.pressure, .compression = s.density / rho0_};
   }
 
   /// -S_nn [Pa], at most 2/3 of the yield stress.
   double deviator(const ShockState& s) const {
-    const double elastic = 2 * strength_.shear_modulus * std::log(s.density / eos_.rho0);
+    const double elastic = 2 * shear_modulus_ * std::log(s.density / rho0_);
     return 2.0 / 3 * std::min(elastic, s.yield);
   }
 
@@ -135,32 +171,31 @@ class Shock {
   /// ep + Y/(3 G) = (2/3) ln(rho/rho0) hold all along the loading: it is the radial return of a trial
   /// stress 2 G ln(rho/rho0). Heating by plastic work needs the way: Heun steps in ln rho.
   void load(ShockState& s) const {
-    const double total = std::log(s.density / eos_.rho0);
+    const double total = std::log(s.density / rho0_);
     const auto strain = [&](double part, double temperature) {
-      const double q = 2 * strength_.shear_modulus * part;
-      return q > 0 ? plastic_increment(strength_, q, 0, temperature, 1) : 0.0;
+      const double q = 2 * shear_modulus_ * part;
+      return q > 0 ? plastic_increment(strength_, q, state_of(s, 0, temperature), 1) : 0.0;
     };
     const double q = 1.5 * deviator(s);  // of the round before
-    s.temperature =
-        law_(s.density, s.energy - distortion_energy(q * q, strength_.shear_modulus, s.density), 0);
+    s.temperature = law_(s.density, s.energy - distortion_energy(q * q, shear_modulus_, s.density), 0);
     s.plastic_strain = strain(total, s.temperature);
     if (s.plastic_strain > 0 && law_.thermal().rule == Thermal::Rule::plastic_work)
       heat_along(s, total, strain);
-    s.yield = strength_.yield(s.plastic_strain, 0, s.temperature);
+    s.yield = yield(strength_, state_of(s, s.plastic_strain, s.temperature));
   }
 
   template <class Strain>
   void heat_along(ShockState& s, double total, const Strain& strain) const {
     constexpr int steps = 64;
-    const double start = std::log(elastic_density_ / eos_.rho0);
-    double t = law_(eos_.rho0, 0, 0), ep = 0, y = strength_.yield(0, 0, t);
+    const double start = std::log(std::max(elastic_density_, rho0_) / rho0_);
+    double t = law_(rho0_, 0, 0), ep = 0, y = yield(strength_, state_of(s, 0, t));
     for (int k = 1; k <= steps; ++k) {
       const double part = start + (total - start) * k / steps;
-      const double middle = eos_.rho0 * std::exp(part - 0.5 * (total - start) / steps);
+      const double middle = rho0_ * std::exp(part - 0.5 * (total - start) / steps);
       double next_t = t, next_ep = ep, next_y = y;
       for (int i = 0; i < 3; ++i) {
         next_ep = strain(part, next_t);
-        next_y = strength_.yield(next_ep, 0, next_t);
+        next_y = yield(strength_, state_of(s, next_ep, next_t));
         next_t = t + plastic_heating(law_.thermal(), 0.5 * (y + next_y), std::max(next_ep - ep, 0.0), middle);
       }
       t = next_t, ep = next_ep, y = next_y;
@@ -172,11 +207,11 @@ class Shock {
   /// The largest density that a shock can reach: the guard of the equation of state, or where the
   /// denominator of the jump conditions vanishes.
   double last_density() const {
-    double lo = eos_.rho0, hi = limit_;
+    double lo = rho0_, hi = limit_;
     const auto fine = [&](double rho) {
       const ShockState s = at_density(rho);
-      const double slope = eos_.pressure(rho, 1) - eos_.pressure(rho, 0);
-      return 0.5 * slope * (1 / eos_.rho0 - 1 / rho) < 0.99 && std::isfinite(s.velocity);
+      const double slope = pressure(eos_, rho, s.energy + 1) - pressure(eos_, rho, s.energy);
+      return 0.5 * slope * (1 / rho0_ - 1 / rho) < 0.99 && s.stress >= 0 && std::isfinite(s.velocity);
     };
     if (fine(hi)) return hi;
     for (int i = 0; i < 60; ++i) {
@@ -191,50 +226,39 @@ class Shock {
                        " m/s: the equation of state does not reach it");
   }
 
-  EosModel eos_;
-  StrengthModel strength_;
+  Eos eos_;
+  Strength strength_;
   TemperatureLaw law_;
+  double rho0_ = 0, shear_modulus_ = 0;  // kg/m3, Pa
   Front rest_{}, elastic_{};
   double elastic_density_ = 0;  // kg/m3; 0: no strength
   double elastic_speed_ = 0;    // m/s
   double limit_ = 0;            // kg/m3
 };
 
-/// Calls f(shock), a Shock<...> of the material's models.
-template <class F>
-auto with_shock(const Material& m, const F& f) {
-  return std::visit([&](const auto& eos, const auto& strength) { return f(Shock(eos, strength, m)); }, m.eos,
-                    m.strength);
-}
-
 }  // namespace
 
 ShockState shock_at_velocity(const Material& material, double velocity) {
-  return with_shock(material, [&](const auto& shock) { return shock.at_velocity(velocity); });
+  return Shock(material).at_velocity(velocity);
 }
 
-double largest_velocity(const Material& material) {
-  return with_shock(material, [&](const auto& shock) { return shock.largest_velocity(); });
-}
+double largest_velocity(const Material& material) { return Shock(material).largest_velocity(); }
 
 Impact match_impact(const Material& flyer, const Material& target, double closing) {
-  return with_shock(flyer, [&](const auto& a) {
-    return with_shock(target, [&](const auto& b) {
-      const auto pull = [&](double u) { return b.at_velocity(u).stress - a.at_velocity(closing - u).stress; };
-      // Within what both of them reach.
-      const double lo = std::max(0.0, closing - a.largest_velocity() * (1 - 1e-9));
-      const double hi = std::min(closing, b.largest_velocity() * (1 - 1e-9));
-      if (!(lo < hi) || pull(lo) > 0 || pull(hi) < 0)
-        throw PhysicsError("no shock state at a closing velocity of " + std::to_string(closing) +
-                           " m/s: the equations of state do not reach it");
-      Impact impact;
-      impact.velocity = rising_root(pull, lo, hi);
-      impact.target = b.at_velocity(impact.velocity);
-      impact.flyer = a.at_velocity(closing - impact.velocity);
-      impact.stress = impact.target.stress;
-      return impact;
-    });
-  });
+  const Shock a(flyer), b(target);
+  const auto pull = [&](double u) { return b.at_velocity(u).stress - a.at_velocity(closing - u).stress; };
+  // Within what both of them reach.
+  const double lo = std::max(0.0, closing - a.largest_velocity() * (1 - 1e-9));
+  const double hi = std::min(closing, b.largest_velocity() * (1 - 1e-9));
+  if (!(lo < hi) || pull(lo) > 0 || pull(hi) < 0)
+    throw PhysicsError("no shock state at a closing velocity of " + std::to_string(closing) +
+                       " m/s: the equations of state do not reach it");
+  Impact impact;
+  impact.velocity = rising_root(pull, lo, hi);
+  impact.target = b.at_velocity(impact.velocity);
+  impact.flyer = a.at_velocity(closing - impact.velocity);
+  impact.stress = impact.target.stress;
+  return impact;
 }
 
 bool flyer_leaves(const Impact& impact, const Material& flyer, const Material& target) {

@@ -145,7 +145,7 @@ void keep_common(Node& base, const Node& over, const char* part) {
 
 struct Search {
   const config::Document* own;
-  const std::filesystem::path& directory;
+  const MaterialFolders& folders;
   Diagnostics& out;
   std::vector<std::string> way;  // names met so far, to find circles
 };
@@ -153,11 +153,12 @@ struct Search {
 void report_unknown(const std::string& name, const Search& search, const Place& place) {
   std::vector<std::string> known;
   if (search.own) known = search.own->names("material");
-  for (std::string& n : list_materials(search.directory)) known.push_back(std::move(n));
+  for (std::string& n : list_materials(search.folders)) known.push_back(std::move(n));
   std::string help = did_you_mean(name, known, 3);
   if (help.empty()) {
-    help = known.empty() ? "no materials in '" + search.directory.string() + "'" : "known:";
-    for (std::size_t i = 0; i < known.size(); ++i) help += (i > 0 ? ", " : " ") + known[i];
+    help = known.empty() ? std::string("there are no materials in") : "`recoil material list` lists all";
+    for (std::size_t i = 0; known.empty() && i < search.folders.size(); ++i)
+      help += (i > 0 ? ", '" : " '") + search.folders[i].string() + "'";
   }
   search.out.error(place, "unknown material '" + name + "'", help);
 }
@@ -198,15 +199,15 @@ std::optional<Node> table_of(const std::string& name, Search& search, const Plac
     search.way.push_back(name);
     return with_base(*own, search);
   }
-  const std::vector<std::string> names = list_materials(search.directory);
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
+  const std::filesystem::path file = material_file(name, search.folders);
+  if (file.empty()) {
     if (met)
       search.out.error(place, "material '" + name + "' is its own base");
     else
       report_unknown(name, search, place);
     return std::nullopt;
   }
-  return read_document((search.directory / (name + ".toml")).string(), search.out).root;
+  return read_document(file.string(), search.out).root;
 }
 
 template <class Model>
@@ -246,16 +247,26 @@ void add_sections(std::vector<config::Section>& all, const std::string& name, co
 
 }  // namespace
 
-std::vector<std::string> list_materials(const std::filesystem::path& directory) {
+std::vector<std::string> list_materials(const MaterialFolders& folders) {
   namespace fs = std::filesystem;
   std::vector<std::string> names;
-  std::error_code failed;
-  for (fs::recursive_directory_iterator it(directory, failed), end; !failed && it != end;
-       it.increment(failed))
-    if (it->path().extension() == ".toml")
-      names.push_back(it->path().lexically_relative(directory).replace_extension().generic_string());
+  for (const fs::path& folder : folders) {
+    std::error_code failed;
+    for (fs::recursive_directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
+      if (it->path().extension() == ".toml")
+        names.push_back(it->path().lexically_relative(folder).replace_extension().generic_string());
+  }
   std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
+}
+
+std::filesystem::path material_file(const std::string& name, const MaterialFolders& folders) {
+  for (const std::filesystem::path& folder : folders) {
+    const std::vector<std::string> names = list_materials({folder});
+    if (std::binary_search(names.begin(), names.end(), name)) return folder / (name + ".toml");
+  }
+  return {};
 }
 
 std::optional<Material> read_material(const std::string& name, const Node& table, Diagnostics& out) {
@@ -273,14 +284,16 @@ std::optional<Material> read_material(const std::string& name, const Node& table
   if (record.good("damage")) read_model(*record.node("damage"), damage_doc, material.damage, out);
   if (record.good("failed")) material.failed = read_constants<FailedMatter>(*record.node("failed"), out);
   if (record.good("facts")) material.facts = read_constants<Facts>(*record.node("facts"), out);
+  if (is_fluid(material.eos) && has_strength(material.strength))
+    out.error(record.node("strength")->key_place, "a gas has no strength",
+              "strength = { kind = \"none\" }, or another equation of state");
   if (out.error_count() > errors) return std::nullopt;
   return material;
 }
 
 std::optional<Material> find_material(const std::string& name, const config::Document* own,
-                                      const std::filesystem::path& directory, Diagnostics& out,
-                                      const Place& place) {
-  Search search{own, directory, out, {}};
+                                      const MaterialFolders& folders, Diagnostics& out, const Place& place) {
+  Search search{own, folders, out, {}};
   const int errors = out.error_count();
   const std::optional<Node> table = table_of(name, search, place);
   if (!table || out.error_count() > errors) return std::nullopt;

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <variant>
 
+#include "material/detonation.hpp"
+
 namespace recoil {
 
 namespace {
@@ -15,6 +17,9 @@ std::string number(double x, const char* unit) {
   std::snprintf(buffer, sizeof buffer, "%.4g%s%s", x, *unit ? " " : "", unit);
   return buffer;
 }
+
+/// What follows no rule of solids and liquids.
+bool is_gas(const Material& m) { return !has_tension(m.eos) || std::holds_alternative<Jwl>(m.eos); }
 
 /// Dulong and Petit: 3 R per mole of atoms. Without a molar mass the heat per volume decides, which for
 /// solids lies within a factor of about two of 3 MJ/(m3 K).
@@ -56,27 +61,36 @@ void check_moduli(const Material& m, Findings& out) {
 
 /// What the yield stress at rest is called in the model's own table.
 const char* yield_key(const Material& m) {
-  return std::holds_alternative<JohnsonCook>(m.strength) ? "strength.a" : "strength.yield";
+  return std::visit(
+      [](const auto& model) {
+        if constexpr (requires { model.a, model.c; }) return "strength.a";
+        if constexpr (requires { model.c1; }) return "strength.c0";
+        if constexpr (requires { model.y0; }) return "strength.y0";
+        if constexpr (requires { model.cohesion; }) return "strength.cohesion";
+        return "strength.yield";
+      },
+      m.strength);
 }
 
 /// The ideal strength of a crystal is about G/(2 pi) (Frenkel 1926): half of G is no yield stress.
 void check_yield(const Material& m, Findings& out) {
   const double t = m.thermal.initial_temperature;
-  const double y = std::visit([&](const auto& s) { return s.yield(0, 0, t); }, m.strength);
+  const double y = yield(m.strength, {.temperature = t});
   const double g = shear_modulus(m);
   if (!(g > 0) || std::isinf(y)) return;
-  const bool impossible = y > 0.5 * g;
-  if (y > 5e9 || y > 0.1 * g)
+  const bool impossible = y > 0.5 * g, ceramic = g > 100e9 && density(m) < 6000;
+  if (y > (ceramic ? 20e9 : 5e9) || y > 0.1 * g)
     out.push_back({"yield stress " + number(y / 1e9, "GPa") + " is implausible beside the shear modulus " +
                        number(g / 1e9, "GPa"),
-                   "no metal exceeds about 5 GPa, nor a tenth of its shear modulus" +
+                   "no metal exceeds about 5 GPa, no ceramic 20, neither a tenth of its shear modulus" +
                        (impossible ? ": is it " + number(y / 1e9, "MPa") + "?" : std::string()),
                    yield_key(m), impossible});
 }
 
-/// Foams begin at some 100 kg/m3, osmium has 22590 kg/m3. Without strength it may be a gas or a powder.
+/// Foams begin at some 100 kg/m3, osmium has 22590 kg/m3. Without strength it may be a powder.
 void check_density(const Material& m, Findings& out) {
   const double rho = density(m);
+  if (!has_tension(m.eos)) return;  // a gas
   if (rho >= 100 && rho <= 23000) return;
   const bool from_grams = rho < 25;
   out.push_back({"density " + number(rho, "kg/m3") + " is that of no solid",
@@ -85,22 +99,59 @@ void check_density(const Material& m, Findings& out) {
 }
 
 void check_melting(const Material& m, Findings& out) {
-  const auto* jc = std::get_if<JohnsonCook>(&m.strength);
-  if (jc && m.thermal.initial_temperature >= jc->melting_temperature)
+  const double melting = melting_temperature(m.strength, 1);
+  if (m.thermal.initial_temperature >= melting)
     out.push_back({"initial temperature " + number(m.thermal.initial_temperature, "K") +
-                       " is not below the melting temperature " + number(jc->melting_temperature, "K"),
+                       " is not below the melting temperature " + number(melting, "K"),
                    "the material starts without strength", "strength.melting-temperature"});
 }
 
-void check_hugoniot(const Material& m, Findings& out) {
-  const auto* eos = std::get_if<MieGruneisen>(&m.eos);
-  if (!eos) return;
-  if (eos->s < 0.8 || eos->s > 2.2)
-    out.push_back(
-        {"slope s " + number(eos->s, "") + " of the Hugoniot is unusual", "solids have 0.8 to 2.2", "eos.s"});
-  if (eos->gamma0 < 0.3 || eos->gamma0 > 3.5)
-    out.push_back(
-        {"gamma0 " + number(eos->gamma0, "") + " is unusual", "solids have 0.3 to 3.5", "eos.gamma0"});
+void check_slope(const Material& m, double s, const char* key, Findings& out) {
+  const double most = shear_modulus(m) > 0 ? 2.2 : 2.7;
+  if (s < 0.8 || s > most)
+    out.push_back({"slope s " + number(s, "") + " of the Hugoniot is unusual",
+                   "solids have 0.8 to 2.2, liquids at most 2.7", key});
+}
+
+void check_gamma0(double gamma0, const char* key, Findings& out) {
+  if (gamma0 < 0.3 || gamma0 > 3.5)
+    out.push_back({"gamma0 " + number(gamma0, "") + " is unusual", "solids have 0.3 to 3.5", key});
+}
+
+void check_eos(const Material& /*m*/, const LinearEos& /*eos*/, Findings& /*out*/) {}
+
+void check_eos(const Material& m, const MieGruneisen& eos, Findings& out) {
+  check_slope(m, eos.s, "eos.s", out);
+  check_gamma0(eos.gamma0, "eos.gamma0", out);
+}
+
+void check_eos(const Material& m, const MieGruneisenCubic& eos, Findings& out) {
+  check_slope(m, eos.s1, "eos.s1", out);
+  check_gamma0(eos.gamma0, "eos.gamma0", out);
+}
+
+/// Near rest p = A mu + B mu^2 is a Hugoniot of slope s = (1 + B/A)/2.
+void check_eos(const Material& m, const Tillotson& eos, Findings& out) {
+  check_slope(m, 0.5 * (1 + eos.bulk_b / eos.bulk_a), "eos.bulk-curvature", out);
+  check_gamma0(eos.a + eos.b, "eos.b", out);
+}
+
+/// Of an ideal gas the specific heat follows from the state at rest: p = (gamma - 1) rho c_v T.
+void check_eos(const Material& m, const IdealGas& eos, Findings& out) {
+  if (eos.p_inf > 0) return;
+  const double c = eos.p0 / ((eos.gamma - 1) * eos.rho0 * m.thermal.initial_temperature);
+  if (std::fabs(m.thermal.specific_heat - c) > 0.05 * c)
+    out.push_back({"specific heat " + number(m.thermal.specific_heat, "J/(kg K)") +
+                       " contradicts pressure, density and temperature at rest",
+                   "an ideal gas with these has " + number(c, "J/(kg K)"), "thermal.specific-heat"});
+}
+
+void check_eos(const Material& /*m*/, const Jwl& eos, Findings& out) {
+  const double d = chapman_jouguet(eos).velocity;
+  if (std::fabs(d - eos.detonation_velocity) > 0.02 * eos.detonation_velocity)
+    out.push_back({"detonation-velocity " + number(eos.detonation_velocity, "m/s") +
+                       " is not what the other constants give",
+                   "they give " + number(d, "m/s"), "eos.detonation-velocity"});
 }
 
 }  // namespace
@@ -109,11 +160,11 @@ std::vector<Suspicion> lint(const Material& material) {
   Findings out;
   check_density(material, out);
   if (!out.empty() && out[0].certain) return out;  // the others would only follow from that
-  check_heat(material, out);
+  if (!is_gas(material)) check_heat(material, out);
   check_moduli(material, out);
   check_yield(material, out);
   check_melting(material, out);
-  check_hugoniot(material, out);
+  std::visit([&](const auto& eos) { check_eos(material, eos, out); }, material.eos);
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "material/strength/strength.hpp"
 
@@ -9,15 +10,17 @@ namespace recoil {
 
 /// The increment dep >= 0 of equivalent plastic strain that puts a trial stress back on the yield
 /// surface (Wilkins 1964), with the rate of the same increment:
-///   q_trial - 3 G dep = yield(ep + dep, dep/dt, temperature).
-/// q_trial: equivalent stress of the trial [Pa]; ep: plastic strain before, >= 0; dt [s] > 0.
+///   q_trial - 3 G dep = yield(ep + dep, dep/dt, ...).
+/// q_trial: equivalent stress of the trial [Pa]; `before`: the state with the plastic strain before, its rate
+/// is not used; dt [s] > 0.
 /// 0 inside the surface. The stress deviator is to be scaled by 1 - 3 G dep/q_trial. The equation
 /// holds to 1e-12 q_trial. A melted material (yield 0) gives q_trial/(3 G).
-/// One overload per kind of yield: constant, linear in ep, rate dependent.
+/// One overload per kind of yield: constant or linear in ep; of Johnson and Cook's form; any other.
 template <class Model>
-requires(!Model::rate_dependent) double plastic_increment(const Model& s, double q_trial, double ep,
-                                                          double temperature, double /*dt*/) {
-  const double excess = q_trial - s.yield(ep, 0, temperature);
+requires(!Model::rate_dependent) double plastic_increment(const Model& s, double q_trial, YieldState before,
+                                                          double /*dt*/) {
+  before.rate = 0;
+  const double excess = q_trial - s.yield(before);
   if (!(excess > 0) || !(s.shear_modulus > 0)) return 0;
   double slope = 0;
   if constexpr (requires { s.hardening; }) slope = s.hardening;
@@ -28,10 +31,11 @@ requires(!Model::rate_dependent) double plastic_increment(const Model& s, double
 /// Model::expand), so that steps from the right of the root approach it without overshoot: no
 /// bracket is needed, a few steps suffice, and the same input gives the same bits.
 template <class Model>
-requires(Model::rate_dependent) double plastic_increment(const Model& s, double q_trial, double ep,
-                                                         double temperature, double dt) {
-  const double soft = s.softening(temperature);
-  const double static_yield = soft * s.yield(ep, 0, s.reference_temperature);
+requires(Model::rate_dependent&& requires {
+  &Model::expand;
+}) double plastic_increment(const Model& s, double q_trial, const YieldState& before, double dt) {
+  const double ep = before.ep, soft = s.softening(before.temperature);
+  const double static_yield = soft * s.yield({.ep = ep, .temperature = s.reference_temperature});
   const double excess = q_trial - static_yield;
   if (!(excess > 0)) return 0;
   const double stiffness = 3 * s.shear_modulus;
@@ -52,6 +56,45 @@ requires(Model::rate_dependent) double plastic_increment(const Model& s, double 
     x = unit * std::exp(y);
   }
   return x;
+}
+
+/// False position (Illinois) in ln(dep) between 1e-30 and 1 of the increment at the yield stress before;
+/// 0 if the root is smaller still. Needs nothing but a yield stress that does not fall with dep.
+template <class Model>
+requires(Model::rate_dependent && !requires {
+  &Model::expand;
+}) double plastic_increment(const Model& s, double q_trial, YieldState before, double dt) {
+  before.rate = 0;
+  const double excess = q_trial - s.yield(before), stiffness = 3 * s.shear_modulus;
+  if (!(excess > 0)) return 0;
+  const double ep = before.ep, most = excess / stiffness, tolerance = 1e-12 * q_trial;
+  const auto residual = [&](double x) {
+    before.ep = ep + x;
+    before.rate = x / dt;
+    return q_trial - stiffness * x - s.yield(before);
+  };
+  double low = std::log(1e-30), high = 0, at_low = residual(1e-30 * most), at_high = residual(most);
+  if (!(at_low > 0)) return 0;
+  if (at_high >= -tolerance) return most;
+  double y = high;
+  for (int i = 0, kept = 0; i < 200; ++i) {
+    y = (low * at_high - high * at_low) / (at_high - at_low);
+    const double at = residual(most * std::exp(y));
+    if (std::fabs(at) <= tolerance) break;
+    const int side = at > 0 ? 1 : -1;
+    (at > 0 ? low : high) = y;
+    (at > 0 ? at_low : at_high) = at;
+    if (side == kept) (at > 0 ? at_high : at_low) *= 0.5;
+    kept = side;
+  }
+  return most * std::exp(y);
+}
+
+/// The same of whichever model the material has.
+inline double plastic_increment(const Strength& strength, double q_trial, const YieldState& before,
+                                double dt) {
+  return std::visit([&](const auto& model) { return plastic_increment(model, q_trial, before, dt); },
+                    strength);
 }
 
 }  // namespace recoil

@@ -46,8 +46,10 @@ inline double distortion_energy(double equivalent_stress_squared, double shear_m
 
 /// The temperature of one material, with the isentrope through the state at rest tabulated once. e: specific
 /// internal energy without that of elastic distortion [J/kg].
-///   energy rule, Mie-Grueneisen: T = T0 exp(Gamma0 (1 - rho0/rho)) + (e - e_s(rho))/c_v
-///   energy rule, linear:         T = T0 + (e - e_cold(rho))/c_v
+///   energy rule: T = T_s(rho) + (e - e_s(rho))/c_v,  d ln T_s/d rho = Gamma/rho,  d e_s/d rho = p/rho^2
+///   Mie-Grueneisen: T_s = T0 exp(Gamma0 (1 - rho0/rho)); linear: T_s = T0; the others: tabulated as e_s
+/// Exact for a constant c_v where Gamma depends on density alone: for all but Tillotson's, whose Gamma falls
+/// with energy.
 class TemperatureLaw {
  public:
   TemperatureLaw() = default;
@@ -68,40 +70,69 @@ class TemperatureLaw {
 
   /// Temperature [K] on the isentrope through rest.
   double on_isentrope(double rho) const {
+    if (!growth_.empty()) return thermal_.initial_temperature * std::exp(interpolated(growth_, rho));
     return thermal_.initial_temperature * std::exp(gamma0_ * (1 - rho0_ / rho));
   }
 
   /// e_s [J/kg] on the isentrope through rest: linear between the points of the table, and beyond it.
-  double isentrope(double rho) const {
-    const double x = (rho - lowest_) / spacing_;
-    const double last = static_cast<double>(table_.size()) - 2;
-    const double k = std::clamp(std::floor(x), 0.0, last);
-    const auto i = static_cast<std::size_t>(k);
-    return table_[i] + (x - k) * (table_[i + 1] - table_[i]);
-  }
+  double isentrope(double rho) const { return interpolated(table_, rho); }
 
   const Thermal& thermal() const { return thermal_; }
 
  private:
+  double interpolated(const std::vector<double>& values, double rho) const {
+    const double x = (rho - lowest_) / spacing_;
+    const double last = static_cast<double>(values.size()) - 2;
+    const double k = std::clamp(std::floor(x), 0.0, last);
+    const auto i = static_cast<std::size_t>(k);
+    return values[i] + (x - k) * (values[i + 1] - values[i]);
+  }
+
+  template <class Model>
+  void tabulate(const Model& eos) {
+    fill(eos);
+    tabulate_growth(eos);
+  }
   void tabulate(const MieGruneisen& eos) {
     gamma0_ = eos.gamma0;
     fill(eos);
   }
   void tabulate(const LinearEos& eos) { fill(eos); }  // gamma0_ = 0: the isentrope stays at T0
 
-  /// Integrates de/drho = p/rho^2 from rest both ways by the classical Runge-Kutta rule: from 0.4 rho0 to the
-  /// largest admissible density, at most 4 rho0.
+  /// Integrates de/drho = p/rho^2 from rest both ways by the classical Runge-Kutta rule: from 0.4 rho0, or
+  /// the least density that the material has, to the largest admissible one, at most 4 rho0 (a gas: 10).
   template <class Model>
   void fill(const Model& eos) {
-    constexpr int below = 2000;
+    constexpr DensityRange range = density_range<Model>();
+    constexpr double part_below = 1 - std::min(0.4, 0.8 * range.least);
+    constexpr int below = static_cast<int>(part_below / 3e-4 + 0.5);
     rho0_ = eos.rho0;
-    spacing_ = 0.6 * rho0_ / below;
+    spacing_ = part_below * rho0_ / below;
     lowest_ = rho0_ - below * spacing_;
-    const double highest = std::min(eos.largest_density(), 4 * rho0_);
+    const double highest = std::min(eos.largest_density(), std::clamp(range.most, 4.0, 10.0) * rho0_);
     const int above = static_cast<int>(std::ceil((highest - rho0_) / spacing_));
     table_.assign(static_cast<std::size_t>(below + above) + 1, 0.0);
+    rest_ = below;
     for (int k = below; k < below + above; ++k) advance(eos, k, +1);
     for (int k = below; k > 0; --k) advance(eos, k, -1);
+  }
+
+  /// ln(T_s/T0) by the trapezoidal rule over the table of e_s.
+  template <class Model>
+  void tabulate_growth(const Model& eos) {
+    const auto slope = [&](int k) {
+      const double rho = lowest_ + k * spacing_, e = table_[static_cast<std::size_t>(k)];
+      constexpr double step = 1e3;  // J/kg
+      return (eos.pressure(rho, e + step) - eos.pressure(rho, e - step)) / (2 * step * rho * rho);
+    };
+    growth_.assign(table_.size(), 0.0);
+    const int last = static_cast<int>(table_.size()) - 1;
+    const auto add = [&](int from, int to) {
+      growth_[static_cast<std::size_t>(to)] =
+          growth_[static_cast<std::size_t>(from)] + 0.5 * (to - from) * spacing_ * (slope(from) + slope(to));
+    };
+    for (int k = rest_; k < last; ++k) add(k, k + 1);
+    for (int k = rest_; k > 0; --k) add(k, k - 1);
   }
 
   template <class Model>
@@ -120,7 +151,9 @@ class TemperatureLaw {
   Thermal thermal_;
   double rho0_ = 1, gamma0_ = 0;         // kg/m3, 1
   double lowest_ = 0, spacing_ = 1;      // kg/m3
+  int rest_ = 0;                         // place of rest in the table
   std::vector<double> table_{0.0, 0.0};  // J/kg
+  std::vector<double> growth_;           // ln(T_s/T0); empty: by gamma0_
 };
 
 }  // namespace recoil

@@ -61,11 +61,9 @@ StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& lim
     b.tension = can_fail(m.damage)                 ? infinite
                 : std::isnan(facts.spall_strength) ? limits.largest_tension * bulk_modulus(m)
                                                    : limits.spall_strength * facts.spall_strength;
-    const auto* softening = std::get_if<JohnsonCook>(&m.strength);
-    b.softens = softening != nullptr;
-    b.melting = softening != nullptr                    ? softening->melting_temperature
-                : std::isnan(facts.melting_temperature) ? infinite
-                                                        : facts.melting_temperature;
+    if (!has_tension(m.eos)) b.tension = infinite;
+    b.softens = !std::isnan(melting_temperature(m.strength, 1));
+    b.melting = std::isnan(facts.melting_temperature) ? infinite : facts.melting_temperature;
   }
 }
 
@@ -130,18 +128,21 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
        p.temperature - coldest, 0);
   if (fill < whole_fill) return;
   const double rho0 = density(body.material);
-  const double sparse = p.damage >= failed_damage ? 0 : least_density * rho0 - p.density;
-  note(StateCheck::density, std::max(sparse, p.density - largest_density * rho0), p.density,
-       p.density > rho0 ? largest_density * rho0 : least_density * rho0);
+  const DensityRange range = density_range(body.material.eos);
+  const double least = range.least * rho0, most = range.most * rho0;
+  const double sparse = p.damage >= failed_damage ? 0 : least - p.density;
+  note(StateCheck::density, std::max(sparse, p.density - most), p.density, p.density > rho0 ? most : least);
   const Bounds& bounds = bounds_[m];
   const double tension = largest_principal(p);
   note(StateCheck::tension, tension - bounds.tension, tension, bounds.tension);
   // A model that softens melts by its own temperature; any other state is held against that of its energy.
-  if (bounds.softens && p.temperature >= bounds.melting) {
-    note(StateCheck::molten, p.temperature - bounds.melting, p.temperature, bounds.melting);
+  const double melting =
+      bounds.softens ? melting_temperature(body.material.strength, p.density / rho0) : bounds.melting;
+  if (bounds.softens && p.temperature >= melting) {
+    note(StateCheck::molten, p.temperature - melting, p.temperature, melting);
   } else {
     const double hot = by_energy ? p.temperature : law.by_energy(p.density, p.thermal_energy);
-    note(StateCheck::melting, hot - bounds.melting, hot, bounds.melting);
+    note(StateCheck::melting, hot - melting, hot, melting);
   }
 }
 

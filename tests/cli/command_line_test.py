@@ -30,6 +30,44 @@ class Usage(Program):
         self.expect(recoil("material", "list"), 0, "copper/seed", "steel/hzb")
         self.expect(recoil("material", "show", "copper/seed"), 0, 'kind = "johnson-cook"', "cite")
 
+    def test_shocks_of_a_material(self):
+        done = recoil("material", "hugoniot", "aluminium/6061-t6", "-o", self.folder / "al.png")
+        self.expect(done, 0, "elastic limit", "velocity")
+        row = [line.split() for line in done.stdout.splitlines() if line.split()[:1] == ["3000"]][0]
+        self.assertAlmostEqual(float(row[1]), 5386 + 1.339 * 3000, delta=15)  # no strength is left: U_s = c0 + s u
+        self.assertEqual((self.folder / "al.png").read_bytes()[:4], b"\x89PNG")
+        self.expect(recoil("material", "hugoniot", "explosive-products/tnt"), 0, "detonation: 69", "GPa")
+        self.expect(recoil("material", "hugoniot", "copper/seed", "--to", "90 km/s"), 2, "reaches")
+        self.expect(recoil("material", "hugoniot", "coper/seed"), 2, "did you mean 'copper/seed'?")
+
+    def test_state_of_an_impact(self):
+        svg = self.folder / "pu.svg"
+        done = recoil("material", "match", "aluminium/6061-t6", "copper/seed", "--speed", "450 m/s", "-o", svg)
+        self.expect(done, 0, "interface 133.69 m/s, 5.084 GPa", "part")
+        self.assertIn("<svg", svg.read_text())
+        self.expect(recoil("material", "match", "copper/seed", "copper/seed", "--speed", "3 kg"), 2, "--speed")
+
+    def test_lint(self):
+        self.expect(recoil("material", "lint"), 0, "nothing to remark")
+        wrong = self.folder / "heavy.toml"
+        wrong.write_text(recoil("material", "show", "copper/seed").stdout.replace('"8930 kg/m3"', '"8.93 kg/m3"'))
+        env = dict(os.environ, RECOIL_MATERIALS=str(self.folder))
+        self.expect(recoil("material", "lint", "heavy", env=env), 2, "eos.density", "8.93 g/cm3")
+
+    def test_own_materials_are_found_by_name(self):
+        text = recoil("material", "show", "copper/seed").stdout
+        (self.folder / "materials").mkdir()
+        (self.folder / "materials" / "mine.toml").write_text(text)
+        self.case(('"copper/seed"', '"mine"'))
+        self.expect(recoil("check", self.folder / "case.toml"), 0, "5.084 GPa")
+        away = self.folder / "away"
+        away.mkdir()
+        (self.folder / "materials" / "mine.toml").rename(away / "mine.toml")
+        self.expect(recoil("check", self.folder / "case.toml"), 2, "unknown material 'mine'")
+        env = dict(os.environ, RECOIL_MATERIALS=f"{self.folder}/none:{away}")
+        self.expect(recoil("check", self.folder / "case.toml", env=env), 0, "5.084 GPa")
+        self.expect(recoil("material", "show", "mine", env=env), 0, "away/mine.toml")
+
     def test_a_shown_material_is_one_that_can_be_used(self):
         shown = recoil("material", "show", "copper/seed").stdout
         lines = [f"[material.mine.{line[1:]}" if line.startswith("[") else line for line in shown.splitlines()]
@@ -49,6 +87,51 @@ class Usage(Program):
     def test_missing_library_is_an_error_of_the_environment(self):
         empty = dict(os.environ, RECOIL_DATA=str(self.folder))
         self.expect(recoil("material", "list", env=empty), 4, "RECOIL_DATA")
+
+
+GAS = """format = 1
+[domain]
+geometry = "planar"
+x = ["0 mm", "20 mm"]
+y = ["0 mm", "10 mm"]
+[mesh]
+finest = "0.5 mm"
+[time]
+end = "1 us"
+[body.gas]
+material = "gas/air"
+shape = { kind = "box", x = ["5 mm", "10 mm"], y = ["0 mm", "10 mm"] }
+velocity = { x = "10 m/s" }
+[body.left]
+material = "copper/seed"
+shape = { kind = "box", x = ["0 mm", "5 mm"], y = ["0 mm", "10 mm"] }
+[body.right]
+material = "RIGHT"
+shape = { kind = "box", x = ["10 mm", "20 mm"], y = ["0 mm", "10 mm"] }
+[material.dense]
+base = "gas/air"
+eos.pressure = "10 MPa"
+eos.density = "118.8 kg/m3"
+"""
+
+
+class Gases(Program):
+    def check(self, text, code, *words):
+        (self.folder / "gas.toml").write_text(text)
+        done = recoil("check", self.folder / "gas.toml")
+        self.expect(done, code, *words)
+        return done.stdout + done.stderr
+
+    def test_free_surfaces_of_a_gas_are_said(self):
+        self.assertNotIn("free surface", self.check(GAS.replace("RIGHT", "gas/argon"), 0))
+        self.check(GAS.replace("RIGHT", "copper/seed").replace('"10 mm", "20 mm"', '"12 mm", "20 mm"'), 0, "the gas 'gas' has a free surface", "101.3 kPa")
+
+    def test_gases_rest_at_one_pressure(self):
+        self.check(GAS.replace("RIGHT", "dense"), 2, "101325 Pa and at 1e+07 Pa")
+
+    def test_a_gas_has_no_strength(self):
+        own = '[material.jelly]\nbase = "gas/air"\nstrength = { kind = "elastic", shear-modulus = "1 kPa" }\n'
+        self.check(GAS.replace("RIGHT", "jelly") + own, 2, "a gas has no strength")
 
 
 class Check(Program):

@@ -9,7 +9,9 @@ writes. Every case names a schema that is there.
 import os
 import pathlib
 import re
+import shlex
 import subprocess
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -38,6 +40,29 @@ class HowTo(unittest.TestCase):
                     stands_in(lines(block), lines(source.read_text())),
                     f"this block of {name}.md does not stand in {source.relative_to(ROOT)}; change both:\n{block}",
                 )
+
+
+class Material(unittest.TestCase):
+    """docs/how-to/add-a-material.md: its file is found, has nothing to remark, and does what the page says."""
+
+    def test_the_file_of_the_page_works(self):
+        page = (ROOT / "docs" / "how-to" / "add-a-material.md").read_text()
+        (text,) = re.findall(r"^```toml\n(.*?)^```", page, re.S | re.M)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "bronze" / "cast.toml"
+            file.parent.mkdir()
+            file.write_text(text)
+            environment = dict(os.environ, RECOIL_MATERIALS=folder)
+            commands = re.findall(r"^    recoil (material (?!import).*?)(?: *#.*)?$", page, re.M)
+            self.assertEqual(len(commands), 5)
+            for command in commands:
+                done = subprocess.run([os.environ["RECOIL_PROGRAM"], *shlex.split(command)], cwd=folder, env=environment,
+                                      capture_output=True, text=True, timeout=60)  # fmt: skip
+                self.assertEqual(done.returncode, 0, command + "\n" + done.stdout + done.stderr)
+                self.assertIn("1 material, nothing to remark" if " lint " in command else "bronze/cast", done.stdout)
+                if " -o " in command:
+                    picture = pathlib.Path(folder) / command.split(" -o ")[1]
+                    self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
 
 
 class Reference(unittest.TestCase):

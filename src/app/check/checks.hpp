@@ -19,6 +19,9 @@ void check_output(LoadedCase& loaded);
 /// Constants that are wrong more often than not, and the doubts that the materials themselves state.
 void check_materials(LoadedCase& loaded);
 
+/// Gases whose pressures have no common zero, and free surfaces of gases.
+void check_gases(LoadedCase& loaded);
+
 /// Nothing that moves, bodies that fly apart, impacts that no equation of state reaches.
 void check_motion(LoadedCase& loaded);
 

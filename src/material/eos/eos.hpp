@@ -2,14 +2,19 @@
 
 #include <variant>
 
+#include "material/eos/density_range.hpp"
+#include "material/eos/ideal_gas.hpp"
+#include "material/eos/jwl.hpp"
 #include "material/eos/linear.hpp"
 #include "material/eos/mie_gruneisen.hpp"
+#include "material/eos/mie_gruneisen_cubic.hpp"
+#include "material/eos/tillotson.hpp"
 
 namespace recoil {
 
 /// Every equation of state, in the order that help and schema show. Adding one: a header beside
 /// these, its name here; the generic tests then cover it.
-using Eos = std::variant<MieGruneisen, LinearEos>;
+using Eos = std::variant<MieGruneisen, LinearEos, MieGruneisenCubic, Tillotson, IdealGas, Jwl>;
 
 /// Density at rest [kg/m3].
 inline double density(const Eos& eos) {
@@ -19,6 +24,56 @@ inline double density(const Eos& eos) {
 /// Bulk sound speed at rest [m/s].
 inline double bulk_sound_speed(const Eos& eos) {
   return std::visit([](const auto& model) { return bulk_sound_speed(model); }, eos);
+}
+
+/// Pressure [Pa] at density rho [kg/m3] and specific internal energy e [J/kg], 0 at rest. For single states:
+/// loops over cells visit once.
+inline double pressure(const Eos& eos, double rho, double e) {
+  return std::visit([=](const auto& model) { return model.pressure(rho, e); }, eos);
+}
+
+/// Specific internal energy [J/kg] at density rho and pressure p [Pa].
+inline double energy(const Eos& eos, double rho, double p) {
+  return std::visit([=](const auto& model) { return model.energy(rho, p); }, eos);
+}
+
+/// (dp/drho) at constant entropy [m2/s2].
+inline double sound_speed_squared(const Eos& eos, double rho, double p) {
+  return std::visit([=](const auto& model) { return model.sound_speed_squared(rho, p); }, eos);
+}
+
+/// The largest admissible density [kg/m3].
+inline double largest_density(const Eos& eos) {
+  return std::visit([](const auto& model) { return model.largest_density(); }, eos);
+}
+
+/// Densities, of that at rest, within which states are taken as they are.
+inline DensityRange density_range(const Eos& eos) {
+  return std::visit([]<class Model>(const Model&) { return density_range<Model>(); }, eos);
+}
+
+/// Whether matter holds together under tension at all. A gas does not: what is below its pressure at rest is
+/// no tension.
+inline bool has_tension(const Eos& eos) {
+  const auto* gas = std::get_if<IdealGas>(&eos);
+  return gas == nullptr || gas->p_inf > 0;
+}
+
+/// Whether the pressure does not depend on the energy.
+inline bool barotropic(const Eos& eos) {
+  return std::visit([](const auto& model) { return model.barotropic; }, eos);
+}
+
+/// Whether matter of this kind never has strength: gases.
+template <class Model>
+constexpr bool is_fluid() {
+  if constexpr (requires { Model::fluid; })
+    return Model::fluid;
+  else
+    return false;
+}
+inline bool is_fluid(const Eos& eos) {
+  return std::visit([]<class Model>(const Model&) { return is_fluid<Model>(); }, eos);
 }
 
 }  // namespace recoil

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "material/parameter.hpp"
+#include "material/strength/yield_state.hpp"
 
 namespace recoil {
 
@@ -19,7 +20,7 @@ struct Elastic {
     return std::array{P{"shear-modulus", "Pa", &Elastic::shear_modulus, 1, 1e13, "shear modulus"}};
   }
 
-  constexpr double yield(double /*ep*/, double /*ep_rate*/, double /*temperature*/) const { return infinite; }
+  constexpr double yield(const YieldState& /*state*/) const { return infinite; }
 };
 
 }  // namespace recoil

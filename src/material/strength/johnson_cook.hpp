@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "material/parameter.hpp"
+#include "material/strength/yield_state.hpp"
 
 namespace recoil {
 
@@ -60,12 +61,11 @@ struct JohnsonCook {
     return b * (n == 1 ? ep : std::pow(ep, n));
   }
 
-  /// Yield stress [Pa] at equivalent plastic strain ep, its rate [1/s] and temperature [K].
-  /// Rises with ep and ep_rate; zero from the melting temperature on.
-  double yield(double ep, double ep_rate, double temperature) const {
-    const double rate = ep_rate / reference_rate;
+  /// Yield stress [Pa]. Rises with plastic strain and its rate; zero from the melting temperature on.
+  double yield(const YieldState& s) const {
+    const double rate = s.rate / reference_rate;
     const double rate_factor = c > 0 && rate > 1 ? 1 + c * std::log(rate) : 1.0;
-    return (a + hardening(ep)) * rate_factor * softening(temperature);
+    return (a + hardening(s.ep)) * rate_factor * softening(s.temperature);
   }
 
   struct Expansion {

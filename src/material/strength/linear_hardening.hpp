@@ -3,6 +3,7 @@
 #include <array>
 
 #include "material/parameter.hpp"
+#include "material/strength/yield_state.hpp"
 
 namespace recoil {
 
@@ -24,9 +25,7 @@ struct LinearHardening {
         P{"hardening", "Pa", &LinearHardening::hardening, 0, 1e13, "growth per unit of plastic strain"}};
   }
 
-  constexpr double yield(double ep, double /*ep_rate*/, double /*temperature*/) const {
-    return yield_stress + hardening * ep;
-  }
+  constexpr double yield(const YieldState& s) const { return yield_stress + hardening * s.ep; }
 };
 
 }  // namespace recoil

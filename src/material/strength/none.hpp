@@ -3,6 +3,7 @@
 #include <array>
 
 #include "material/parameter.hpp"
+#include "material/strength/yield_state.hpp"
 
 namespace recoil {
 
@@ -16,7 +17,7 @@ struct NoStrength {
 
   static constexpr std::array<Parameter<NoStrength>, 0> parameters() { return {}; }
 
-  constexpr double yield(double /*ep*/, double /*ep_rate*/, double /*temperature*/) const { return 0; }
+  constexpr double yield(const YieldState& /*state*/) const { return 0; }
 };
 
 }  // namespace recoil

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "material/parameter.hpp"
+#include "material/strength/yield_state.hpp"
 
 namespace recoil {
 
@@ -22,9 +23,7 @@ struct PerfectlyPlastic {
         P{"yield", "Pa", &PerfectlyPlastic::yield_stress, 0, 1e13, "yield stress in simple tension"}};
   }
 
-  constexpr double yield(double /*ep*/, double /*ep_rate*/, double /*temperature*/) const {
-    return yield_stress;
-  }
+  constexpr double yield(const YieldState& /*state*/) const { return yield_stress; }
 };
 
 }  // namespace recoil

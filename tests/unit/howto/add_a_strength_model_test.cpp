@@ -29,10 +29,8 @@ struct PowerLaw {
                       P{"n", "1", &PowerLaw::n, 0.01, 1, "hardening exponent"}};
   }
 
-  /// Yield stress [Pa]; ep, its rate [1/s], temperature [K].
-  double yield(double ep, double /*ep_rate*/, double /*temperature*/) const {
-    return a + b * std::pow(ep, n);
-  }
+  /// Yield stress [Pa].
+  double yield(const YieldState& s) const { return a + b * std::pow(s.ep, n); }
 
   // What the return asks of it; of rate and temperature it knows nothing.
   static constexpr double c = 0, reference_rate = 1, reference_temperature = 298;
@@ -52,9 +50,9 @@ TEST(HowToAddAStrengthModel, StressReturnsToTheYieldSurface) {
   const PowerLaw copper{47.7e9, 90e6, 292e6, .31};
   for (const double ep : {0.0, 1e-3, 0.4})
     for (const double excess : {1e-4, 0.1, 3.0}) {
-      const double q = copper.yield(ep, 0, 298) * (1 + excess);
-      const double dep = plastic_increment(copper, q, ep, 298, 1e-9);
-      EXPECT_NEAR(q - 3 * copper.shear_modulus * dep, copper.yield(ep + dep, dep / 1e-9, 298), 1e-10 * q);
+      const double q = copper.yield({ep, 0, 298}) * (1 + excess);
+      const double dep = plastic_increment(copper, q, {ep, 0, 298}, 1e-9);
+      EXPECT_NEAR(q - 3 * copper.shear_modulus * dep, copper.yield({ep + dep, dep / 1e-9, 298}), 1e-10 * q);
     }
   EXPECT_EQ(model_keys::keys_of_model<PowerLaw>().size(), 4U);
 }

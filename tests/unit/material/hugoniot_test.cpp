@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -103,6 +104,55 @@ TEST(Hugoniot, LighterFlyersLeave) {
 TEST(Hugoniot, BeyondTheEquationOfStateIsAnError) {
   EXPECT_THROW(shock_at_velocity(copper(), 80e3), PhysicsError);
   EXPECT_EQ(shock_at_velocity(copper(), 0).stress, 0);
+}
+
+/// Air, exact: U_s = (gamma + 1)/4 u + sqrt(((gamma + 1)/4 u)^2 + c0^2), and T of the ideal gas behind it.
+TEST(Hugoniot, OfAnIdealGas) {
+  Material air;
+  air.eos = IdealGas{1.2041, 1.4, 101325};
+  air.strength = NoStrength{};
+  air.thermal.initial_temperature = 293.15;
+  air.thermal.specific_heat = 101325 / (0.4 * 1.2041 * 293.15);
+  const double u = 1000, us = 0.6 * u + std::sqrt(0.36 * u * u + 1.4 * 101325 / 1.2041);
+  const ShockState s = shock_at_velocity(air, u);
+  EXPECT_NEAR(s.shock_speed, us, 1e-6 * us);
+  EXPECT_NEAR(s.pressure, 1.2041 * us * u, 1e-6 * s.pressure);
+  const double t = 293.15 * (101325 + s.pressure) / 101325 * 1.2041 / s.density;
+  EXPECT_NEAR(s.temperature, t, 1e-5 * t);
+}
+
+/// The energy of a Tillotson material is no linear function of its pressure: the jump must hold all the same.
+TEST(Hugoniot, JumpConditionsHoldForEveryEquationOfState) {
+  samples::for_each<Eos>([](const auto& eos) {
+    Material m = hydro(copper());
+    m.eos = eos;
+    const double rho0 = density(m), u = std::min(2000.0, 0.7 * largest_velocity(m));
+    const ShockState s = shock_at_velocity(m, u);
+    EXPECT_NEAR(s.velocity, u, 1e-9 * u);
+    EXPECT_NEAR(s.pressure, rho0 * s.shock_speed * u, 1e-9 * s.pressure) << eos.kind;
+    EXPECT_NEAR(s.energy, 0.5 * u * u, 1e-9 * s.energy) << eos.kind;
+    if (!eos.barotropic) {
+      EXPECT_NEAR(eos.pressure(s.density, s.energy), s.pressure, 1e-8 * s.pressure) << eos.kind;
+    }
+  });
+}
+
+/// Y = cohesion + friction p: behind the precursor 2 G ln(rho/rho0) has reached it, and the stress deviates
+/// by 2/3.
+TEST(Hugoniot, OfMatterWhoseYieldFollowsPressure) {
+  Material rock;
+  rock.eos = MieGruneisen{2660, 3700, 1.24, 0.9};
+  const Lundborg strength{25e9, 50e6, 1.5, 2e9};
+  rock.strength = strength;
+  rock.thermal.specific_heat = 800;
+  const ShockState s = shock_at_velocity(rock, 500);
+  ASSERT_TRUE(s.has_precursor);
+  EXPECT_NEAR(s.yield, strength.yield({.pressure = s.pressure}), 1e-9 * s.yield);
+  EXPECT_NEAR(s.stress - s.pressure, 2.0 / 3 * s.yield, 1e-9 * s.yield);
+  // At the elastic limit: stress = p + 2/3 Y, and the elastic law gives both from one density.
+  const double strain = (s.precursor_stress - 0) / (2660 * s.precursor_speed * s.precursor_speed);
+  const double rho = 2660 / (1 - strain), p = s.precursor_stress - 4.0 / 3 * 25e9 * std::log(rho / 2660);
+  EXPECT_NEAR(2 * 25e9 * std::log(rho / 2660), strength.yield({.pressure = p}), 1e-3 * 100e6);
 }
 
 }  // namespace

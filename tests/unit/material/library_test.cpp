@@ -25,7 +25,7 @@ struct Found {
 Found find(const std::string& name, const std::string& text = "format = 1") {
   Found found;
   const config::Document own = config::parse_document(text, "case.toml", found.out);
-  found.material = find_material(name, &own, folder, found.out, {"case.toml", 1, 1, 1});
+  found.material = find_material(name, &own, {folder}, found.out, {"case.toml", 1, 1, 1});
   return found;
 }
 
@@ -37,8 +37,8 @@ TEST(Library, EveryFileLoadsAndIsCited) {
   std::ifstream file(folder / "references.bib");
   std::stringstream references;
   references << file.rdbuf();
-  const std::vector<std::string> names = list_materials(folder);
-  EXPECT_GE(names.size(), 9u);
+  const std::vector<std::string> names = list_materials({folder});
+  EXPECT_GE(names.size(), 40u);
   for (const std::string& name : names) {
     const Found found = find(name);
     ASSERT_TRUE(found.material) << name << "\n" << found.out.text();
@@ -135,6 +135,11 @@ TEST(Library, MistakesNameTheirCure) {
   EXPECT_TRUE(
       says(find("x", "[material.x]\nbase = \"copper/seed\"\nstrength.melting-temperature = \"250 K\"\n"),
            "reference-temperature"));
+  EXPECT_TRUE(says(
+      find(
+          "x",
+          "[material.x]\nbase = \"gas/air\"\nstrength = { kind = \"elastic\", shear-modulus = \"1 GPa\" }\n"),
+      "no strength"));
   EXPECT_TRUE(says(find("x",
                         "[material.x]\nbase = \"copper/seed\"\n"
                         "strength = { kind = \"perfectly-plastic\" }\n"),
@@ -142,7 +147,7 @@ TEST(Library, MistakesNameTheirCure) {
 }
 
 TEST(Library, WritesWhatItReads) {
-  for (const std::string& name : list_materials(folder)) {
+  for (const std::string& name : list_materials({folder})) {
     const Found first = find(name);
     ASSERT_TRUE(first.material);
     const std::string text = to_toml(*first.material, "material.again");
@@ -163,7 +168,24 @@ TEST(Library, SectionsCoverEveryModel) {
             std::variant_size_v<Eos> + std::variant_size_v<Strength> + std::variant_size_v<Damage>);
 }
 
-TEST(Library, MissingFolderHasNoMaterials) { EXPECT_TRUE(list_materials(folder / "nowhere").empty()); }
+TEST(Library, MissingFolderHasNoMaterials) { EXPECT_TRUE(list_materials({folder / "nowhere"}).empty()); }
+
+/// Of the same name in two folders the first counts, and it may have the library's as its base.
+TEST(Library, OwnFoldersComeFirst) {
+  const std::filesystem::path own = std::filesystem::path(testing::TempDir()) / "own_materials";
+  std::filesystem::create_directories(own / "copper");
+  std::ofstream(own / "copper" / "seed.toml")
+      << "title = \"mine\"\neos = { kind = \"linear\", density = \"1 g/cm3\", bulk-modulus = \"1 GPa\" }\n"
+         "strength = { kind = \"none\" }\nthermal = { specific-heat = \"900 J/(kg K)\" }\n";
+  config::Diagnostics out;
+  const auto mine = find_material("copper/seed", nullptr, {own, folder}, out, {});
+  ASSERT_TRUE(mine) << out.text();
+  EXPECT_EQ(mine->title, "mine");
+  EXPECT_EQ(list_materials({own, folder}).size(), list_materials({folder}).size()) << "a name counts once";
+  const auto theirs = find_material("copper/seed", nullptr, {folder, own}, out, {});
+  EXPECT_NE(theirs->title, "mine");
+  std::filesystem::remove_all(own);
+}
 
 }  // namespace
 }  // namespace recoil

@@ -20,9 +20,9 @@ bool finds(const Material& m, const std::string& word) {
 
 TEST(Lint, IsSilentOnTheLibrary) {
   const std::filesystem::path folder = std::filesystem::path(RECOIL_SOURCE_DIR) / "materials";
-  for (const std::string& name : list_materials(folder)) {
+  for (const std::string& name : list_materials({folder})) {
     config::Diagnostics out;
-    const auto m = find_material(name, nullptr, folder, out, {});
+    const auto m = find_material(name, nullptr, {folder}, out, {});
     ASSERT_TRUE(m) << out.text();
     for (const Suspicion& s : lint(*m)) ADD_FAILURE() << name << ": " << s.message << " (" << s.help << ")";
   }
@@ -79,6 +79,41 @@ TEST(Lint, FindsAMeltedStartAndOddHugoniots) {
   m.eos = MieGruneisen{8930, 3940, 3.2, 4.5};
   EXPECT_TRUE(finds(m, "slope"));
   EXPECT_TRUE(finds(m, "gamma0"));
+}
+
+/// An ideal gas: p = (gamma - 1) rho c_v T at rest.
+TEST(Lint, FindsGasesThatContradictThemselves) {
+  Material air;
+  air.eos = IdealGas{1.2041, 1.4, 101325};
+  air.strength = NoStrength{};
+  air.thermal.specific_heat = 717.6;
+  air.thermal.initial_temperature = 293.15;
+  EXPECT_TRUE(lint(air).empty());
+  air.thermal.specific_heat = 1005;  // that at constant pressure
+  EXPECT_TRUE(finds(air, "specific heat"));
+}
+
+TEST(Lint, FindsADetonationVelocityOfAnotherExplosive) {
+  Material tnt;
+  Jwl jwl = samples::of(Jwl{})[0];
+  tnt.eos = jwl;
+  tnt.strength = NoStrength{};
+  tnt.thermal.specific_heat = 1000;
+  EXPECT_TRUE(lint(tnt).empty());
+  jwl.detonation_velocity = 7980;
+  tnt.eos = jwl;
+  EXPECT_TRUE(finds(tnt, "detonation-velocity"));
+}
+
+TEST(Lint, LetsCeramicsBeHarderThanMetals) {
+  Material m = samples::copper();
+  m.eos = LinearEos{2510, 233e9};
+  m.strength = PerfectlyPlastic{197e9, 15e9};
+  m.thermal.specific_heat = 950;
+  m.facts.molar_mass = unset;
+  EXPECT_FALSE(finds(m, "yield stress"));
+  m.strength = PerfectlyPlastic{197e9, 25e9};
+  EXPECT_TRUE(finds(m, "yield stress"));
 }
 
 }  // namespace

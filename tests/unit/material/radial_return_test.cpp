@@ -9,7 +9,14 @@
 namespace recoil {
 namespace {
 
-/// Calls f(strength, q_trial, ep, temperature, dt, dep) over many states, inside and outside of the surface.
+/// The state after an increment dep within dt.
+YieldState after(YieldState before, double dep, double dt) {
+  before.ep += dep;
+  before.rate = dep / dt;
+  return before;
+}
+
+/// Calls f(strength, q_trial, before, dt, dep) over many states, inside and outside of the surface.
 template <class F>
 void for_many_returns(const F& f) {
   samples::for_each<Strength>([&](const auto& s) {
@@ -17,30 +24,32 @@ void for_many_returns(const F& f) {
       for (const double t : {250.0, 298.0, 700.0, 3000.0})
         for (const double ep : {0.0, 1e-9, 1e-3, 0.4, 3.0})
           for (const double excess : {-0.5, 0.0, 1e-12, 1e-8, 1e-4, 0.01, 0.1, 0.3, 1.0, 20.0}) {
-            const double y = s.yield(ep, 0, t);
+            const YieldState before{ep, 0, t, 1e9, 1.02};
+            const double y = s.yield(before);
             const double q = (std::isfinite(y) && y > 0 ? y : 1e8) * (1 + excess);
-            f(s, q, ep, t, dt, plastic_increment(s, q, ep, t, dt));
+            f(s, q, before, dt, plastic_increment(s, q, before, dt));
           }
   });
 }
 
 TEST(RadialReturn, SatisfiesItsEquation) {
-  for_many_returns([](const auto& s, double q, double ep, double t, double dt, double dep) {
-    if (!(s.shear_modulus > 0) || q <= s.yield(ep, 0, t)) {
+  for_many_returns([](const auto& s, double q, const YieldState& before, double dt, double dep) {
+    if (!(s.shear_modulus > 0) || q <= s.yield(before)) {
       EXPECT_EQ(dep, 0) << s.kind;
       return;
     }
     const double returned = q - 3 * s.shear_modulus * dep;
-    EXPECT_NEAR(returned, s.yield(ep + dep, dep / dt, t), 1e-10 * q)
-        << s.kind << " q " << q << " ep " << ep << " T " << t << " dt " << dt << " dep " << dep;
+    EXPECT_NEAR(returned, s.yield(after(before, dep, dt)), 1e-10 * q)
+        << s.kind << " q " << q << " ep " << before.ep << " T " << before.temperature << " dt " << dt
+        << " dep " << dep;
   });
 }
 
 TEST(RadialReturn, NeverLeavesStressOutsideNorMakesEnergy) {
-  for_many_returns([](const auto& s, double q, double ep, double t, double dt, double dep) {
+  for_many_returns([](const auto& s, double q, const YieldState& before, double dt, double dep) {
     if (!(s.shear_modulus > 0)) return;
     const double returned = q - 3 * s.shear_modulus * dep;
-    EXPECT_LE(returned, s.yield(ep + dep, dep / dt, t) + 1e-10 * q) << s.kind;
+    EXPECT_LE(returned, s.yield(after(before, dep, dt)) + 1e-10 * q) << s.kind;
     EXPECT_GE(dep, 0);
     EXPECT_GE(returned, -1e-12 * q) << "the stress would change its sign: dissipation < 0";
   });
@@ -48,26 +57,26 @@ TEST(RadialReturn, NeverLeavesStressOutsideNorMakesEnergy) {
 
 TEST(RadialReturn, ClosedForms) {
   const PerfectlyPlastic plastic{27.6e9, 0.3e9};
-  EXPECT_NEAR(plastic_increment(plastic, 0.5e9, 0.1, 298, 1e-9), 0.2e9 / (3 * 27.6e9), 1e-18);
+  EXPECT_NEAR(plastic_increment(plastic, 0.5e9, {0.1, 0, 298}, 1e-9), 0.2e9 / (3 * 27.6e9), 1e-18);
   const LinearHardening hardening{43.3e9, 0.4e9, 0.1e9};
-  EXPECT_NEAR(plastic_increment(hardening, 0.6e9, 0.5, 298, 1e-9), 0.15e9 / (3 * 43.3e9 + 0.1e9), 1e-18);
+  EXPECT_NEAR(plastic_increment(hardening, 0.6e9, {0.5, 0, 298}, 1e-9), 0.15e9 / (3 * 43.3e9 + 0.1e9), 1e-18);
 }
 
 TEST(RadialReturn, MeltedMatterKeepsNoStress) {
   const JohnsonCook s{43.33e9, 400e6, 177e6, 1.0, .025, 1.09, 1358};
-  EXPECT_NEAR(plastic_increment(s, 1e9, 0.2, 1400, 1e-9), 1e9 / (3 * 43.33e9), 1e-15);
+  EXPECT_NEAR(plastic_increment(s, 1e9, {0.2, 0, 1400}, 1e-9), 1e9 / (3 * 43.33e9), 1e-15);
 }
 
 TEST(RadialReturn, FasterIsStronger) {
   const JohnsonCook s{43.33e9, 400e6, 177e6, 1.0, .025, 1.09, 1358};
-  EXPECT_LT(plastic_increment(s, 1e9, 0, 298, 1e-10), plastic_increment(s, 1e9, 0, 298, 1e-6));
+  EXPECT_LT(plastic_increment(s, 1e9, {0, 0, 298}, 1e-10), plastic_increment(s, 1e9, {0, 0, 298}, 1e-6));
 }
 
 /// Without a rate term the time step must not matter.
 TEST(RadialReturn, TimeStepMattersOnlyThroughTheRate) {
   const JohnsonCook s{77.3e9, 1500e6, 569e6, .22, 0, 1.17, 1723};
-  const double a = plastic_increment(s, 3e9, 0.01, 400, 1e-10),
-               b = plastic_increment(s, 3e9, 0.01, 400, 1e-3);
+  const double a = plastic_increment(s, 3e9, {0.01, 0, 400}, 1e-10),
+               b = plastic_increment(s, 3e9, {0.01, 0, 400}, 1e-3);
   EXPECT_NEAR(a, b, 1e-11 * b);
 }
 

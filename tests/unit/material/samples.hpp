@@ -18,6 +18,21 @@ inline std::vector<MieGruneisen> of(const MieGruneisen&) {
 }
 inline std::vector<LinearEos> of(const LinearEos&) { return {{8930, 130e9}, {1000, 2.2e9}}; }
 
+inline std::vector<MieGruneisenCubic> of(const MieGruneisenCubic&) {
+  return {{8930, 3940, 1.489, 0, 0, 2.02, .47},
+          {11340, 2006, 1.429, .8506, -1.64, 2.74, .54},
+          {2703, 5240, 1.40, 0, 0, 1.97, .48},
+          {998, 1480, 2.56, -1.986, .2268, .5, 0}};
+}
+inline std::vector<Tillotson> of(const Tillotson&) {
+  return {{2700, .5, 1.63, 75.2e9, 65e9, 5e6, 5, 5, 3e6, 13.9e6},
+          {7800, .5, 1.5, 128e9, 105e9, 9.5e6, 5, 5, 2.4e6, 8.67e6}};
+}
+inline std::vector<IdealGas> of(const IdealGas&) {
+  return {{1.2, 1.4, 101325}, {0.1664, 5.0 / 3, 101325}, {998, 4.4, 101325, 4.92e8}};
+}
+inline std::vector<Jwl> of(const Jwl&) { return {{1630, 371.2e9, 3.231e9, 4.15, .95, .30, 7e9, 6930}}; }
+
 inline std::vector<NoStrength> of(const NoStrength&) { return {{}}; }
 inline std::vector<Elastic> of(const Elastic&) { return {{43e9}}; }
 inline std::vector<PerfectlyPlastic> of(const PerfectlyPlastic&) { return {{27.6e9, 0.3e9}, {27.6e9, 0}}; }
@@ -29,6 +44,19 @@ inline std::vector<JohnsonCook> of(const JohnsonCook&) {
           {77.3e9, 1500e6, 569e6, .22, 0, 1.17, 1723},
           {26e9, 0, 114e6, .42, .002, 1.34, 925}};
 }
+inline std::vector<ZerilliArmstrong> of(const ZerilliArmstrong&) {
+  return {{47.7e9, 65e6, 0, 890e6, .0028, .000115}, {81.8e9, 65e6, 1033e6, 0, .00698, .000415, 266e6, .289}};
+}
+inline std::vector<SteinbergGuinan> of(const SteinbergGuinan&) {
+  return {{47.7e9, .12e9, .64e9, 36, .45, 28.3e-12, .377e-3, 1790, 1.5, 2.02},
+          {27.6e9, .29e9, .68e9, 125, .10, 65.2e-12, .616e-3, 1220, 1.5, 1.97}};
+}
+inline std::vector<PrestonTonksWallace> of(const PrestonTonksWallace&) {
+  return {{51.8e9, 8900, .063546, 1357, .025, 2, .0085, .00055, .11, 1e-5, .0001, .0001, .094, .575, .25},
+          {72.2e9, 16600, .18095, 3290, .01, 0, .012, .00325, .6, 4e-5, .01, .00123, .012, .4, .23}};
+}
+inline std::vector<DruckerPrager> of(const DruckerPrager&) { return {{10e9, 1e6, .6}, {10e9, 0, 1.2}}; }
+inline std::vector<Lundborg> of(const Lundborg&) { return {{25e9, 50e6, 1.5, 2e9}}; }
 
 inline std::vector<NoDamage> of(const NoDamage&) { return {{}}; }
 inline std::vector<TensileDamage> of(const TensileDamage&) { return {{1e9, 1, 20e-9}, {1.5e9, 2, 50e-9}}; }

@@ -87,5 +87,29 @@ TEST(Temperature, IsentropicCompressionHeatsByTheGrueneisenLaw) {
   EXPECT_NEAR(law(rho, law.isentrope(rho), 0), 298 * std::exp(2.0 * (1 - 1 / 1.2)), 1e-6);
 }
 
+/// An ideal gas has T = P/((gamma - 1) rho c_v), whatever its density.
+TEST(Temperature, OfAnIdealGas) {
+  const IdealGas air{1.2041, 1.4, 101325};
+  Thermal thermal;
+  thermal.initial_temperature = 293.15;
+  thermal.specific_heat = 101325 / (0.4 * 1.2041 * 293.15);
+  const TemperatureLaw law(thermal, air);
+  for (const double part : {0.05, 0.4, 1.0, 3.0, 6.0})
+    for (const double t : {200.0, 500.0, 4000.0}) {
+      const double rho = part * 1.2041, p = 0.4 * rho * thermal.specific_heat * t - 101325;
+      EXPECT_NEAR(law.by_energy(rho, air.energy(rho, p)), t, 0.1) << part;
+    }
+}
+
+/// Products of an explosive: Gamma = omega, so T_s = T0 (rho/rho0)^omega on the isentrope.
+TEST(Temperature, IsentropeOfProducts) {
+  const Jwl tnt{1630, 371.2e9, 3.231e9, 4.15, .95, .30, 7e9, 6930};
+  Thermal thermal;
+  thermal.specific_heat = 1000;
+  const TemperatureLaw law(thermal, tnt);
+  for (const double part : {0.1, 0.5, 1.4})
+    EXPECT_NEAR(law.on_isentrope(part * 1630), 298 * std::pow(part, .30), 0.05) << part;
+}
+
 }  // namespace
 }  // namespace recoil

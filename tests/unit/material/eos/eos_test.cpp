@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../samples.hpp"
+#include "material/eos/quick_exp.hpp"
 
 namespace recoil {
 namespace {
@@ -34,8 +35,9 @@ TEST(Eos, RestIsFreeOfPressureAndEnergy) {
 TEST(Eos, EnergyInvertsPressure) {
   samples::for_each<Eos>([](const auto& eos) {
     if (eos.barotropic) return;
+    const double coldest = has_tension(eos) ? -1e5 : 0.0;
     for (const double rho : densities(eos))
-      for (const double e : {-1e5, 0.0, 3e4, 2e6}) {
+      for (const double e : {coldest, 0.0, 3e4, 2e6}) {
         const double p = eos.pressure(rho, e);
         EXPECT_NEAR(eos.energy(rho, p), e, 1e-9 * (std::fabs(e) + std::fabs(p) / eos.rho0)) << rho;
       }
@@ -62,24 +64,30 @@ TEST(Eos, SoundSpeedIsTheSlopeOfTheIsentrope) {
   });
 }
 
+/// On the isentrope through rest and hotter: colder matter cannot be had.
 TEST(Eos, SoundSpeedIsRealInCompression) {
   samples::for_each<Eos>([](const auto& eos) {
-    for (const double rho : densities(eos)) {
-      if (rho < eos.rho0) continue;
+    const double h = 1e-3 * eos.rho0, top = std::min(eos.largest_density(), 2.1 * eos.rho0);
+    double isentrope = 0;
+    for (double rho = eos.rho0; rho + h < top; rho += h) {
       ASSERT_TRUE(eos.admissible(rho));
       for (const double e : {1e4, 1e5, 1e6}) {
-        const double p = std::max(eos.pressure(rho, e), 0.0);
+        const double p = eos.pressure(rho, isentrope + e);
         EXPECT_GT(eos.sound_speed_squared(rho, p), 0) << eos.kind << " rho/rho0 " << rho / eos.rho0;
       }
+      const double p = eos.pressure(rho, isentrope), middle = rho + 0.5 * h;
+      isentrope += h * eos.pressure(middle, isentrope + 0.5 * h * p / (rho * rho)) / (middle * middle);
     }
   });
 }
 
 TEST(Eos, SlopeOfTheColdCurveIsContinuousAtRest) {
-  for (const MieGruneisen& eos : samples::of(MieGruneisen{})) {
+  const auto check = [](const auto& eos) {
     const double h = 1e-9 * eos.rho0;
     EXPECT_NEAR(eos.cold_slope(eos.rho0 + h), eos.cold_slope(eos.rho0 - h), 1e-6 * eos.c0 * eos.c0);
-  }
+  };
+  for (const MieGruneisen& eos : samples::of(MieGruneisen{})) check(eos);
+  for (const MieGruneisenCubic& eos : samples::of(MieGruneisenCubic{})) check(eos);
 }
 
 /// On the principal Hugoniot: p = rho0 U_s u, e = u^2/2, rho = rho0 U_s/(U_s - u) with U_s = c0 + s u.
@@ -115,6 +123,107 @@ TEST(LinearEos, EnergyKeepsItsDigitsNearRest) {
   const double d = 1e-7;  // e = K/rho0 (d^2/2 - 2 d^3/3 + ...)
   const double series = eos.bulk_modulus / eos.rho0 * (d * d / 2 - 2 * d * d * d / 3);
   EXPECT_NEAR(eos.energy(eos.rho0 * (1 + d), 0), series, 1e-8 * series);
+}
+
+/// Without s2, s3 and a it is Mie-Grueneisen, as far as matter is compressed.
+TEST(MieGruneisenCubic, HasMieGruneisenAsASpecialCase) {
+  const MieGruneisen plain{8930, 3940, 1.49, 2.0};
+  const MieGruneisenCubic curved{8930, 3940, 1.49, 0, 0, 2.0, 0};
+  for (const double rho : {8930.0, 9500.0, 14000.0})
+    for (const double e : {0.0, 2e6}) {
+      const double p = plain.pressure(rho, e), c2 = plain.sound_speed_squared(rho, p);
+      EXPECT_NEAR(curved.pressure(rho, e), p, 1e-12 * p);
+      EXPECT_NEAR(curved.sound_speed_squared(rho, p), c2, 1e-10 * c2);
+    }
+  EXPECT_NEAR(curved.largest_density(), plain.largest_density(), 1e-9 * plain.largest_density());
+}
+
+/// Steinberg's form: on the Hugoniot U_s - (s1 + s2 w + s3 w^2) u = c0 with w = u/U_s.
+TEST(MieGruneisenCubic, ReproducesItsHugoniot) {
+  for (const MieGruneisenCubic& eos : samples::of(MieGruneisenCubic{}))
+    for (const double w : {0.01, 0.1, 0.3}) {
+      const double us = eos.c0 / (1 - w * (eos.s1 + w * (eos.s2 + w * eos.s3))), u = w * us;
+      const double p = eos.rho0 * us * u;
+      EXPECT_NEAR(eos.pressure(eos.rho0 / (1 - w), 0.5 * u * u), p, 1e-10 * p);
+    }
+}
+
+TEST(MieGruneisenCubic, TensionEndsAndThinMatterIsAGas) {
+  const MieGruneisenCubic eos{8930, 3940, 1.489, 0, 0, 2.02, .47};
+  const double k = 4 * 1.489 / 3, strongest = eos.rho0 * eos.c0 * eos.c0 / (4 * k);
+  double least = 0, along = 0;  // along the isentrope through rest: e by small steps
+  for (double rho = eos.rho0, h = 1e-4 * eos.rho0; rho > 0.3 * eos.rho0; rho -= h) {
+    const double p = eos.pressure(rho, along), middle = rho - 0.5 * h;
+    along -= h * eos.pressure(middle, along - 0.5 * h * p / (rho * rho)) / (middle * middle);
+    least = std::min(least, p);
+  }
+  EXPECT_NEAR(least, -strongest, 1e-3 * strongest);
+  const double thin = 1e-3 * eos.rho0, e = 1e7, cohesion = eos.c0 * eos.c0 / (2 * k * k);
+  EXPECT_NEAR(eos.pressure(thin, e), eos.gamma0 * thin * (e - cohesion), 1e-6 * eos.gamma0 * thin * e);
+}
+
+/// Lead's Hugoniot bends until it no longer rises: from there on no density is admissible.
+TEST(MieGruneisenCubic, EndsWhereTheHugoniotNoLongerRises) {
+  const MieGruneisenCubic lead{11340, 2006, 1.429, .8506, -1.64, 2.74, .54};
+  const double last = lead.largest_density();
+  EXPECT_TRUE(lead.admissible(0.999 * last));
+  EXPECT_FALSE(lead.admissible(1.001 * last));
+  EXPECT_GT(last, 3 * lead.rho0);
+}
+
+/// Between e-iv and e-cv, and beyond, energy and sound speed still fit the pressure.
+TEST(Tillotson, IsConsistentFromColdMatterToVapour) {
+  for (const Tillotson& eos : samples::of(Tillotson{}))
+    for (const double part : {0.02, 0.1, 0.4, 0.7, 0.95})
+      for (const double x : {0.3, 0.9, 1.2, 1.6, 2.5, 5.9, 7.0}) {
+        const double rho = part * eos.rho0, e = x * eos.e_iv, p = eos.pressure(rho, e);
+        EXPECT_NEAR(eos.energy(rho, p), e, 1e-8 * e) << part << " " << x;
+        const double h = 1e-5 * rho, de = h * p / (rho * rho);
+        const double c2 = eos.sound_speed_squared(rho, p);
+        const double curve = 0.5 * h * h * (c2 - 2 * p / rho) / (rho * rho);
+        const double slope =
+            (eos.pressure(rho + h, e + de + curve) - eos.pressure(rho - h, e - de + curve)) / (2 * h);
+        EXPECT_NEAR(slope, c2, 2e-6 * (std::fabs(c2) + std::fabs(p / rho))) << part << " " << x;
+      }
+}
+
+/// Pure forms: thin hot vapour is an ideal gas of gamma = 1 + a; pressure is continuous where forms end.
+TEST(Tillotson, VapourIsAGasAndFormsMeet) {
+  const Tillotson eos{2700, .5, 1.63, 75.2e9, 65e9, 5e6, 5, 5, 3e6, 13.9e6};
+  EXPECT_NEAR(eos.pressure(0.01 * 2700, 2e7), 0.5 * 27 * 2e7, 1e-6 * 27 * 1e7);
+  for (const double e : {eos.e_iv, eos.e_cv}) {
+    const double p = eos.pressure(2000, e);
+    EXPECT_NEAR(eos.pressure(2000, e * (1 - 1e-9)), eos.pressure(2000, e * (1 + 1e-9)), 1e-7 * std::fabs(p));
+  }
+  EXPECT_NEAR(eos.pressure(2700 * (1 - 1e-9), 2e7), eos.pressure(2700 * (1 + 1e-9), 2e7), 1e3);
+}
+
+/// A shock in air, exact: U_s = (gamma + 1)/4 u + sqrt(((gamma + 1)/4 u)^2 + c0^2).
+TEST(IdealGas, HasTheHugoniotOfAnIdealGas) {
+  const IdealGas air{1.2, 1.4, 101325};
+  const double u = 1000, us = 0.6 * u + std::sqrt(0.36 * u * u + 1.4 * 101325 / 1.2);
+  const double rho = 1.2 * us / (us - u), p = 1.2 * us * u;
+  EXPECT_NEAR(air.pressure(rho, 0.5 * p * (1 / 1.2 - 1 / rho)), p, 1e-10 * p);
+}
+
+/// In absolute terms it is P = (gamma - 1) rho E - gamma p_inf.
+TEST(IdealGas, MeasuresPressureAndEnergyFromRest) {
+  for (const IdealGas& gas : samples::of(IdealGas{})) {
+    const double rest = (gas.p0 + gas.gamma * gas.p_inf) / ((gas.gamma - 1) * gas.rho0);
+    for (const double part : {0.1, 0.9, 3.0}) {
+      const double rho = part * gas.rho0, absolute = 1.7 * rest;
+      const double e = absolute - rest + gas.p0 / rho - gas.p0 / gas.rho0;
+      const double p = (gas.gamma - 1) * rho * absolute - gas.gamma * gas.p_inf - gas.p0;
+      EXPECT_NEAR(gas.pressure(rho, e), p, 1e-11 * (std::fabs(p) + gas.gamma * (gas.p0 + gas.p_inf)));
+    }
+  }
+}
+
+TEST(Eos, QuickExponentialHasAllDigits) {
+  for (double x = -699; x < 700; x += 0.137) EXPECT_NEAR(quick_exp(x) / std::exp(x), 1, 5e-16) << x;
+  EXPECT_EQ(quick_exp(0), 1);
+  EXPECT_GT(quick_exp(-1e9), 0);
+  EXPECT_TRUE(std::isfinite(quick_exp(1e9)));
 }
 
 }  // namespace

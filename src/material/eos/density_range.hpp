@@ -1,0 +1,20 @@
+#pragma once
+
+namespace recoil {
+
+/// Densities, as parts of that at rest, within which the scheme takes states of a material as they are;
+/// beyond, they are averaged with their neighbours and counted. An equation of state with a range of its own
+/// has a member `range`.
+struct DensityRange {
+  double least = 0.5, most = 2.5;
+};
+
+template <class Model>
+constexpr DensityRange density_range() {
+  if constexpr (requires { Model::range; })
+    return Model::range;
+  else
+    return {};
+}
+
+}  // namespace recoil

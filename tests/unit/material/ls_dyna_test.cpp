@@ -1,0 +1,77 @@
+#include "material/ls_dyna.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+
+#include "core/error.hpp"
+
+namespace recoil {
+namespace {
+
+/// OFHC copper of Johnson & Cook (1983), in g, cm, us and K: pressures in Mbar.
+const std::string copper = R"(*KEYWORD
+$ a comment
+*MAT_JOHNSON_COOK_TITLE
+OFHC copper
+$      mid        ro         g         e        pr
+         1      8.96     0.477     1.287      0.35
+      9e-4   2.92e-3      0.31     0.025      1.09      1356       298      1e-6
+   3.83e-6     -1.e9       2.0       0.0      0.54      4.89     -3.03     0.014
+      1.12
+*EOS_GRUNEISEN
+1,0.394,1.489,0,0,2.02,0.47,0
+*END
+)";
+
+const CardUnits& units(const std::string& name) {
+  for (const CardUnits& u : card_units())
+    if (name == u.name) return u;
+  throw InternalError("no such units");
+}
+
+TEST(LsDyna, ReadsCopperInSi) {
+  const ImportedMaterial got = import_cards(copper, units("g-cm-us"));
+  const auto& jc = std::get<JohnsonCook>(got.material.strength);
+  EXPECT_NEAR(jc.shear_modulus, 47.7e9, 1);
+  EXPECT_NEAR(jc.a, 90e6, 1e-3);
+  EXPECT_NEAR(jc.b, 292e6, 1e-3);
+  EXPECT_EQ(jc.n, 0.31);
+  EXPECT_EQ(jc.melting_temperature, 1356);
+  EXPECT_NEAR(jc.reference_rate, 1, 1e-12);
+  const auto& eos = std::get<MieGruneisenCubic>(got.material.eos);
+  EXPECT_NEAR(eos.rho0, 8960, 1e-9);
+  EXPECT_NEAR(eos.c0, 3940, 1e-9);
+  EXPECT_EQ(eos.a, 0.47);
+  EXPECT_NEAR(got.material.thermal.specific_heat, 383, 1e-9);
+  ASSERT_EQ(got.left_out.size(), 2U) << "cutoff and failure";
+}
+
+TEST(LsDyna, UnitsAreCoherent) {
+  EXPECT_NEAR(units("g-mm-ms").pressure(), 1e6, 1e-3);
+  EXPECT_NEAR(units("kg-mm-ms").pressure(), 1e9, 1);
+  EXPECT_NEAR(units("t-mm-s").pressure(), 1e6, 1e-3);
+  EXPECT_NEAR(units("g-cm-us").pressure(), 1e11, 100);
+  EXPECT_NEAR(units("g-mm-ms").velocity(), 1, 1e-12);
+}
+
+TEST(LsDyna, SaysWhatIsWrong) {
+  const auto message = [](const std::string& text) {
+    try {
+      import_cards(text, units("SI"));
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(message("*KEYWORD\n").find("no *MAT_JOHNSON_COOK"), std::string::npos);
+  EXPECT_NE(message("*MAT_015\n1,8960\n").find("needs 3 cards"), std::string::npos);
+  EXPECT_NE(message("*MAT_015\n1,eight\n").find("'eight'"), std::string::npos);
+  std::string cold = copper;
+  cold.replace(cold.find("1356"), 4, "   0");
+  EXPECT_NE(message(cold).find("TM"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace recoil
