@@ -50,7 +50,7 @@ std::string on_path(const std::string& name) {
 }
 
 Finding data() {
-  const std::size_t materials = list_materials(materials_folder()).size();
+  const std::size_t materials = list_materials(material_folders()).size();
   return {"data", fmt::format("{} materials in {}", materials, data_folder().string()),
           materials > 0 ? "" : "set RECOIL_DATA to the folder that holds materials/, cases/ and templates/",
           materials == 0};

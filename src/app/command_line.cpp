@@ -248,9 +248,7 @@ struct Commands {
         ->type_name("MATERIAL...");
     CLI::App* i = command(*m, "import", "print a material made from cards of an LS-DYNA keyword file",
                           [this] { return import_material(import_from); });
-    i->add_option("file", import_from.file, "with *MAT_JOHNSON_COOK and *EOS_GRUNEISEN")
-        ->required()
-        ->type_name("FILE");
+    i->add_option("file", import_from.file, "LS-DYNA keyword file")->required()->type_name("FILE");
     i->add_option("--units", import_from.units, "of its numbers: SI, g-mm-ms, g-cm-us, kg-mm-ms or t-mm-s")
         ->required()
         ->type_name("UNITS");
@@ -270,9 +268,7 @@ struct Commands {
   void add_rest() {
     CLI::App* b = command(top, "cite", "print BibTeX entries of the code and of what a case or a run uses",
                           [this] { return cite(cited); });
-    b->add_option("case", cited, "case file, its folder, or the folder of a run")
-        ->required()
-        ->type_name("CASE");
+    b->add_option("case", cited, "case or folder of a run")->required()->type_name("CASE");
     CLI::App* s = command(top, "schema", "print the JSON schema of a case file, for editors",
                           [this] { return print_schema(markdown); });
     s->add_flag("--markdown", markdown, "print the reference page of the case file instead");

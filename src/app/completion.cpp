@@ -37,7 +37,7 @@ struct CommandWords {
 
 Argument argument_of(const std::string& type) {
   if (type == "TEMPLATE") return {template_names(), false};
-  if (type == "MATERIAL") return {list_materials(materials_folder()), false};
+  if (type == "MATERIAL") return {list_materials(material_folders()), false};
   if (type == "SHELL") return {completed_shells, false};
   const bool file = std::ranges::any_of(std::vector<std::string>{"FILE", "DIR", "CASE", "CSV"},
                                         [&](const std::string& t) { return type.starts_with(t); });

@@ -50,7 +50,7 @@ std::string with_schema_beside(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::string> template_names() { return list_materials(templates_folder()); }
+std::vector<std::string> template_names() { return list_materials(MaterialFolders{templates_folder()}); }
 
 int new_case(const NewOptions& o) {
   if (o.list) return list_templates();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,19 +37,26 @@ template <int Dim>
 }
 
 /// The density [kg/m3] at which matter of the energy e [J/kg] is free of pressure; `from` is a density at
-/// which it would be in tension. Newton's method, which one step ends where p is linear in rho.
+/// which it would be in tension. By false position (Illinois), which one step ends where p is linear in rho;
+/// an equation of state whose tension falls again towards low density has its root above all the same.
 template <class EosModel>
 double released_density(const EosModel& eos, double from, double e) {
-  double rho = from;
-  for (int k = 0; k < 20; ++k) {
-    const double p = eos.pressure(rho, e), h = 1e-6 * rho, slope = (eos.pressure(rho + h, e) - p) / h;
-    if (!(slope > 0)) break;
-    const double next = rho - p / slope;
-    const bool done = std::abs(next - rho) < 1e-12 * rho;
-    rho = next;
-    if (done) break;
+  constexpr double wider = 1.05, most = 3;  // of rho0
+  double lo = from, hi = std::max(from, eos.rho0), p_lo = eos.pressure(lo, e), p_hi = eos.pressure(hi, e);
+  while (p_hi < 0 && hi < most * eos.rho0) {
+    lo = hi, p_lo = p_hi;
+    hi *= wider, p_hi = eos.pressure(hi, e);
   }
-  return rho > from ? rho : from;
+  if (!(p_lo < 0) || !(p_hi >= 0)) return from;
+  for (int k = 0; k < 60 && p_hi != 0 && hi - lo > 1e-13 * hi; ++k) {
+    const double at = lo + (hi - lo) * (p_lo / (p_lo - p_hi)), p = eos.pressure(at, e);
+    if (p < 0) {
+      lo = at, p_lo = p, p_hi *= 0.5;
+    } else {
+      hi = at, p_hi = p, p_lo *= 0.5;
+    }
+  }
+  return hi;
 }
 
 /// Part of its volume that is solid where matter of the density rho and energy e has failed: 1 without void.

@@ -21,14 +21,15 @@ template <int Dim, class EosModel>
   using C = Components<Dim>;
   const double rho = q[C::rho] / volume;
   constexpr DensityRange range = density_range<EosModel>();
-  if (q[C::damage] > 0 && q[C::damage] >= failed_damage * q[C::rho])
-    return !((rho > 0) & (rho < range.most * eos.rho0));
+  const bool failed = (q[C::damage] > 0) & (q[C::damage] >= failed_damage * q[C::rho]);
   const bool possible = (rho > range.least * eos.rho0) & (rho < range.most * eos.rho0);
   double momentum2 = 0;
   for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
   const double p = eos.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
   const double c0 = bulk_sound_speed(eos);
-  return !(possible & (eos.sound_speed_squared(rho, p) >= admissible_sound * c0 * c0));  // true for NaN
+  const bool good = possible & (eos.sound_speed_squared(rho, p) >= admissible_sound * c0 * c0),
+             dust = failed & (rho > 0) & (rho < range.most * eos.rho0);
+  return !(good | dust);  // true for NaN
 }
 
 /// Matter that can fail has failed where its equation of state ends in tension.

@@ -13,6 +13,8 @@ TEMPLATES = sorted(p.stem for p in (DATA / "templates").glob("*.toml"))
 # Coarse and short: that they run, not what they find.
 QUICK = {
     "flyer": ["--set", "mesh.finest=0.2mm"],
+    "spall": ["--set", "mesh.finest=0.04mm"],
+    "whipple": ["--set", "mesh.finest=0.4mm", "--end", "0.8us"],
     "taylor": ["--set", "mesh.finest=0.5mm", "--end", "2us"],
     "penetration": ["--set", "mesh.finest=0.8mm", "--end", "1us"],
     "hypervelocity": ["--set", "mesh.finest=0.2mm", "--end", "0.1us"],
