@@ -123,7 +123,8 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
   note(StateCheck::negative_strain, no_strain - p.plastic_strain, p.plastic_strain, 0);
   const TemperatureLaw& law = body.temperature;
   const bool by_energy = law.thermal().rule == Thermal::Rule::energy;
-  const double coldest = by_energy ? law.on_isentrope(p.density) : law.thermal().initial_temperature;
+  const double solid = p.density / (1 - p.void_fraction);
+  const double coldest = by_energy ? law.on_isentrope(solid) : law.thermal().initial_temperature;
   note(StateCheck::negative_heat, coldest - (by_energy ? noise : no_heat) - p.temperature,
        p.temperature - coldest, 0);
   if (fill < whole_fill) return;

@@ -241,12 +241,14 @@ void redistance(StepRun<Dim>& step, double dt) {
 
 template <int Dim>
 void redistance_band(StepRun<Dim>& step, int sweeps, double frozen) {
-  static constexpr FieldAccess access{"redistance", phi, {}, phi_next};
+  static constexpr FieldAccess access{"redistance", phi, {}, phi_next | phi_midstep};
   step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    if (body.at(slot).near_surface)
+    BodyBlock<Dim>& b = body.at(slot);
+    if (b.phi_next.empty()) b.phi_next.swap(b.phi_midstep);  // of a block that the body has just entered
+    if (b.near_surface)
       redistance(step.state(), body, slot, sweeps, frozen, scratch);
     else
-      body.at(slot).phi_next = body.at(slot).phi;
+      b.phi_next = b.phi;
   });
   swap_phi(step);
 }

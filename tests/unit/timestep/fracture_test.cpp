@@ -113,5 +113,21 @@ TYPED_TEST(Fracture, BlocksAndThreadsDoNotMatter) {
   EXPECT_EQ(one.cells(1), other.cells(1));
 }
 
+/// An aluminium sphere of 4 mm at 6 km/s on a block, which breaks up and flies apart over many blocks of
+/// cells: budgets close, and hardly a state has to be replaced.
+TEST(FractureAtHypervelocity, BudgetsClose) {
+  auto domain = domain_of(Geometry::axisymmetric, {0, -6 * mm, 0}, {9 * mm, 7 * mm, 0}, Boundary::outflow);
+  auto c = case_of(domain, mm / 4, {body_of("sphere", ball_shape({0, -2 * mm, 0}, 2 * mm), {0, 6000, 0})});
+  c.bodies.push_back(body_of("block", box_shape({0, 0, 0}, {9 * mm, 7 * mm, 0})));
+  c.mesh.block = 16;
+  TestRun<2> run(c, {breaking(1e9), breaking(1e9)});
+  while (run.state.time < 2.2e-6) advance(run.state, run.stepping, 2.2e-6, run.engine);
+  for (int m = 0; m < 2; ++m) EXPECT_LT(run.imbalance(m, 6000), 1e-12);
+  const Counters counted = run.counted();
+  EXPECT_LE(counted.averaged_states, 3);
+  EXPECT_GT(failed_mass(run, 0) + failed_mass(run, 1), 0);
+  EXPECT_GT(counted.opened_cells + counted.restored_cells, 0);
+}
+
 }  // namespace
 }  // namespace recoil
