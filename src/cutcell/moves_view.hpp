@@ -19,7 +19,6 @@ class MovesView {
   MovesView(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
       : grid(state.grid()),
         window(state.mesh, slot, halo, body.at(slot).reach),
-        state_(state),
         body_(body),
         scratch_(scratch) {
     const std::size_t n = window.size();
@@ -75,13 +74,12 @@ class MovesView {
     return i;
   }
 
-  /// Whether a cell takes part in moves: the body is in its block, and within reach there. What went
-  /// elsewhere would be lost.
+  /// Whether a cell surely takes part in moves, here or on the process that holds it: near enough to the
+  /// surface to lie within its block's reach, or with matter. What was sent elsewhere would be lost. Needs
+  /// gather_phi().
   bool can_take(const Index<Dim>& i) const {
-    const auto from = window.source_inside(i);
-    if (from.slot < 0 || !body_.present(from.slot)) return false;
-    const Index<Dim> home = state_.mesh.block(from.slot).cells.lo + grid.layout().index(from.cell);
-    return body_.at(from.slot).reach.contains(home);
+    const int k = window.at(i);
+    return phi[k] < (reach_cells - drift) * grid.dx || volume[k] != 0;
   }
 
   /// Whether the body is thinner than about two cells here: least sum over an axis of V/full over five cells.
@@ -104,10 +102,11 @@ class MovesView {
   CellKind* kind = nullptr;                  // [window]
 
  private:
+  static constexpr double drift = 1.5;  // cells that a surface may move since the reach was found
+
   // A body with less than so many cells of matter in five is thin.
   static constexpr double thin_sum = 1.75;
 
-  const State<Dim>& state_;
   const Body<Dim>& body_;
   Scratch& scratch_;
 };
