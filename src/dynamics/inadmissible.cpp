@@ -53,8 +53,9 @@ bool tear(const EosModel& eos, BodyBlock<Dim>& b, std::size_t k) {
 }  // namespace
 
 template <int Dim>
-bool inadmissible(const Material& material, const Contents<Dim>& q, double volume) {
-  return std::visit([&](const auto& eos) { return beyond_equations<Dim>(eos, q, volume); }, material.eos);
+bool inadmissible(const Material& material, const Contents<Dim>& contents, double volume) {
+  return std::visit([&](const auto& eos) { return beyond_equations<Dim>(eos, contents, volume); },
+                    material.eos);
 }
 
 template <int Dim>
