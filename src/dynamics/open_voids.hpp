@@ -17,7 +17,7 @@ template <int Dim>
 bool mark_open(const State<Dim>& state, Body<Dim>& body, int slot);
 
 /// Opens the level set at the marked cells and in the whole cells around them:
-///   phi = max(phi, (1/2 - f) dx), V = f full
+///   phi = max(phi, (1/2 - f) dx), V := f V
 /// with the solid fraction f; contents stay. Writes BodyBlock::phi_next, which
 /// holds phi, and BodyBlock::updates.
 /// @returns how many cells open.
