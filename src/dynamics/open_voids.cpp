@@ -77,8 +77,7 @@ std::int64_t open_voids(const State<Dim>& state, Body<Dim>& body, int slot, Scra
     if (!near || !is_whole(state, b, k, i)) return;
     const double solid = solid_part(body, b, k);
     b.phi_next[k] = std::max(b.phi[k], (open_solid - solid) * state.grid().dx);
-    b.updates.push_back(
-        {static_cast<int>(k), solid * b.volume[k], contents_of(b, static_cast<int>(k))});
+    b.updates.push_back({static_cast<int>(k), solid * b.volume[k], contents_of(b, static_cast<int>(k))});
     ++count;
   });
   return count;
