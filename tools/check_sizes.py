@@ -2,7 +2,7 @@
 """Checks the sizes of functions, files and folders, and that no headers include each other in a ring.
 
 At most: 60 lines a function (of C++: from its head, without `template <...>`, to its closing brace), 400 lines a file, 30 files of
-source a folder; in src/, tests/, bench/ and tools/. Prints one line for each breach, `file:line: what`, and exits with 1 if
+source a folder; in src/, tests/, bench/, python/ and tools/. Prints one line for each breach, `file:line: what`, and exits with 1 if
 there was any.
 
 C++ is read by its braces, not parsed. A brace opens a function where it stands outside of functions and follows `)`, with
@@ -160,7 +160,7 @@ def check(root):
     """All breaches below root as lines of text, and the number of files."""
     root = Path(root)
     cpp = cpp_text.files_below(root)
-    python = [path for folder in (*cpp_text.FOLDERS, "tools") for path in sorted((root / folder).rglob("*.py"))]
+    python = [path for folder in (*cpp_text.FOLDERS, "python", "tools") for path in sorted((root / folder).rglob("*.py"))]
     found = [
         f"{path.relative_to(root)}:{line}: {what}" for path in cpp + python for line, what in file_breaches(path)
     ]
