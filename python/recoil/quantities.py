@@ -166,10 +166,8 @@ def failure_value(run, name):
         raise unknown("value of a failure", what, ("time", *run.axes))
     events = run.events
     first = events[(events["event"] == "failure") & (events["bodies"] == body)].head(1)
-    if what == "time":
-        return (float(first["time"].iloc[0]) if len(first) else NAN), "us"
-    place = str(first["place"].iloc[0]).split() if len(first) else []
-    return (float(place[run.axes.index(what)]) if place else NAN), "mm"
+    column, unit = ("time", "us") if what == "time" else (f"place.{what}", "mm")
+    return (float(first[column].iloc[0]) if len(first) else NAN), unit
 
 
 def body_value(run, name):

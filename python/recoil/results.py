@@ -134,11 +134,17 @@ class Run:
 
     @cached_property
     def events(self):
-        """events.csv: DataFrame with `time` [us], `event`, `bodies`, `place` [mm] and `detail`.
-
-        A place is a text, with a number for each axis.
-        """
-        return read_table(self.folder / "events.csv")
+        """events.csv: DataFrame with `time` [us], `event`, `bodies`, `place.AXIS` [mm] for each axis, and `detail`."""
+        frame = read_table(self.folder / "events.csv")
+        places = [str(place).split() for place in frame["place"]]
+        at, units = frame.columns.get_loc("place"), frame.attrs["units"]
+        frame = frame.drop(columns="place")
+        for k, axis in enumerate(self.axes):
+            values = [float(place[k]) if k < len(place) else math.nan for place in places]
+            frame.insert(at + k, f"place.{axis}", values)
+            units[f"place.{axis}"] = units["place"]
+        frame.attrs["units"] = {column: units[column] for column in frame.columns}
+        return frame
 
     @cached_property
     def contacts(self):

@@ -121,6 +121,9 @@ class Results(Scratch):
         events = self.run_.events
         self.assertEqual(list(events["event"]), ["contact", "opening", "ricochet", "separation"])
         self.assertEqual(events["detail"][0], "flyer 450 m/s, target 0 m/s")
+        self.assertEqual(events["place.x"][0], 0)
+        self.assertAlmostEqual(events["place.x"][1], self.run_.summary["events"][1]["place_mm"][0], delta=1e-5)
+        self.assertEqual(events.attrs["units"]["place.x"], "mm")
         pair = self.run_.contacts.loc["flyer-target"]
         self.assertEqual((pair["made"], pair["opens"]), (0, events["time"][1]))
         self.assertTrue(numpy.isnan(pair["recloses"]))
