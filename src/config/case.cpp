@@ -25,6 +25,16 @@ Part<Case> part_of_bodies() {
           }};
 }
 
+Part<Case> part_of_regions() {
+  return {[](Case& c, const Node& node, CaseReading& in) {
+            if (in.knows_domain) read_regions(node, c.regions, in);
+          },
+          [](const std::string& path, std::vector<Section>& all) { add_sections<Region>(path + ".*", all); },
+          [](const Case& c, const std::string& path, const Writing& how, std::vector<WrittenTable>& all) {
+            for (const Region& region : c.regions) write_tables(region, path + '.' + region.name, how, all);
+          }};
+}
+
 Part<Case> part_of_gauges() {
   return {[](Case& c, const Node& node, CaseReading& in) {
             if (in.knows_bodies) read_gauges(node, c.gauges, in);
@@ -79,6 +89,9 @@ Entries<Case> Case::keys() {
        .example = R"(["marsh1980"])"},
       {.name = "domain", .member = part_of_domain(), .required = true, .doc = "the space that is computed"},
       {.name = "mesh", .member = part_of<&Case::mesh>(), .required = true, .doc = "the cells"},
+      {.name = "refine",
+       .member = part_of_regions(),
+       .doc = "parts of the domain with the finest cells, one [refine.NAME] each"},
       {.name = "time",
        .member = part_of<&Case::time>(),
        .required = true,

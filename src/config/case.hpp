@@ -26,6 +26,7 @@ struct Case {
   std::vector<std::string> cite;
   Domain domain;
   MeshChoice mesh;
+  std::vector<Region> regions;  // of finest cells
   TimeChoice time;
   std::vector<Body> bodies;
   std::vector<Gauge> gauges;

@@ -17,7 +17,7 @@ template <int Dim>
 class MovesView {
  public:
   MovesView(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
-      : grid(state.grid()),
+      : grid(state.grid(slot)),
         window(state.mesh, slot, halo, body.at(slot).reach),
         body_(body),
         scratch_(scratch) {

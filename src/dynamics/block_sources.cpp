@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 
+#include "core/error.hpp"
 #include "dynamics/flux.hpp"
+#include "state/rim_fluxes.hpp"
 
 namespace recoil::detail {
 
@@ -121,7 +123,83 @@ template <int Dim>
     }
 }
 
+/// A face of a finer block at its place in a side.
+template <int Dim>
+struct FinerFace {
+  const double* rims;
+  const RimFluxes<Dim>& layout;
+  int axis, side;
+  Index<Dim> local;
+  double area;
+
+  double operator[](std::size_t component) const { return rims[layout.at(axis, side, component, local)]; }
+};
+
+/// f(finer face) for those that make up face i of a block, across a side (0 low, 1 high).
+template <int Dim, class F>
+void for_each_finer_face(const LevelSides<Dim>& at, const std::array<int, power<Dim>(2)>& finer, int axis,
+                         int side, const Index<Dim>& i, const RimFluxes<Dim>& layout, F&& f) {
+  const Grid<Dim>& grid = at.mesh.level_grid(at.mesh.block(at.slot).level - 1);
+  for (unsigned c = 0; c < 1U << Dim; ++c) {
+    if ((c >> axis & 1U) != 0) continue;
+    Index<Dim> j;
+    for (int d = 0; d < Dim; ++d) j[d] = 2 * i[d] + static_cast<int>(c >> d & 1U);
+    Index<Dim> beyond = j;  // the finer cell beside the face
+    if (side == 0) --beyond[axis];
+    for (int d = 0; d < Dim; ++d)
+      if (grid.periodic(d)) beyond[d] = (beyond[d] + grid.cells[d]) % grid.cells[d];
+    bool found = false;
+    for (const int s : finer) {
+      if (s < 0 || !at.mesh.block(s).cells.contains(beyond) || !at.body.present(s)) continue;
+      const auto& rims = at.body.at(s).rims;
+      require(!rims.empty(), "fluxes of the finer level");
+      f(FinerFace<Dim>{rims.data(), layout, axis, 1 - side, beyond - at.mesh.block(s).cells.lo,
+                       grid.full_area(j, axis)});
+      found = true;
+    }
+    require(found, "a finer block with the same body");
+  }
+}
+
 }  // namespace
+
+template <int Dim>
+void meet_other_levels(const Faces<Dim>& faces, int axis, const Work<Dim>& w) {
+  const LevelSides<Dim>& at = *w.sides;
+  const RimFluxes<Dim> layout(w.grid);
+  const FaceFlux<Dim>& flux = faces.flux;
+  for (int side = 0; side < 2; ++side) {
+    Box<Dim> plane = faces.box;
+    plane.lo[axis] = side == 0 ? faces.box.lo[axis] : faces.box.hi[axis] - 1;
+    plane.hi[axis] = plane.lo[axis] + 1;
+    if (at.mesh.coarser_across(at.slot, axis, side) >= 0) {
+      auto& rims = at.body.at(at.slot).rims;
+      if (rims.empty()) rims.assign(layout.size(), 0.0);
+      for_each(plane, [&](const Index<Dim>& i) {
+        const auto k = static_cast<std::size_t>(faces.box.at(i));
+        const Index<Dim> local = i - at.mesh.block(at.slot).cells.lo;
+        for (std::size_t c = 0; c < w.carried(); ++c)
+          rims[layout.at(axis, side, c, local)] = flux.flux[c * flux.faces + k];
+        for (std::size_t d = 0; d < Dim; ++d)
+          rims[layout.at(axis, side, RimFluxes<Dim>::contents + d, local)] =
+              flux.velocity[d * flux.faces + k];
+      });
+    }
+    const auto finer = at.mesh.finer_across(at.slot, axis, side);
+    if (std::all_of(finer.begin(), finer.end(), [](int s) { return s < 0; })) continue;
+    for_each(plane, [&](const Index<Dim>& i) {
+      const auto k = static_cast<std::size_t>(faces.box.at(i));
+      if (!(faces.area[k] > 0)) return;
+      std::array<double, RimFluxes<Dim>::components> sum{};
+      for_each_finer_face(at, finer, axis, side, i, layout, [&](const FinerFace<Dim>& face) {
+        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += face.area * face[c];
+      });
+      for (std::size_t c = 0; c < w.carried(); ++c) flux.flux[c * flux.faces + k] = sum[c] / faces.area[k];
+      for (std::size_t d = 0; d < Dim; ++d)
+        flux.velocity[d * flux.faces + k] = sum[RimFluxes<Dim>::contents + d] / faces.area[k];
+    });
+  }
+}
 
 template <int Dim>
 void add_walls(BodyBlock<Dim>& b, Work<Dim>& w, double dt) {
@@ -161,8 +239,9 @@ void add_sources(const BodyBlock<Dim>& b, double g, Work<Dim>& w, Scratch& scrat
   });
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                      \
-  template void add_walls<Dim>(BodyBlock<Dim>&, Work<Dim>&, double); \
+#define RECOIL_INSTANTIATE(Dim)                                                   \
+  template void meet_other_levels<Dim>(const Faces<Dim>&, int, const Work<Dim>&); \
+  template void add_walls<Dim>(BodyBlock<Dim>&, Work<Dim>&, double);              \
   template void add_sources<Dim>(const BodyBlock<Dim>&, double, Work<Dim>&, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

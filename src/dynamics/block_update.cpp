@@ -117,7 +117,9 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
   const double g = shear_modulus(body.material);
-  Work<Dim> w{state.grid(), Window<Dim>(state.mesh, slot, reach, b.matter), b.matter};
+  Work<Dim> w{state.grid(slot), Window<Dim>(state.mesh, slot, reach, b.matter), b.matter};
+  const detail::LevelSides<Dim> sides{state.mesh, body, slot};
+  if (!state.mesh.is_among_equals(slot)) w.sides = &sides;
   w.n = w.cells.size();
   w.wide = w.window.size();
   w.whole = cells == Cells::whole;
@@ -125,7 +127,7 @@ void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int s
   if (faces == FaceTime::midstep) detail::find_half_step(body, dt, w, scratch);
   w.rate = scratch.take_filled<double>(w.n * C::contents, 0);
   w.gradient = scratch.take_filled<double>(w.n * Dim * Dim, 0);
-  w.radial = scratch.take_filled<double>(state.grid().axisymmetric ? w.n * 2 : 1, 0);
+  w.radial = scratch.take_filled<double>(state.grid(slot).axisymmetric ? w.n * 2 : 1, 0);
   const double booked = weight * dt;
   detail::sweep<Dim, 0, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
   if constexpr (Dim > 1)

@@ -8,6 +8,14 @@
 
 namespace recoil::detail {
 
+/// A block beside blocks of other levels, of one body.
+template <int Dim>
+struct LevelSides {
+  const Mesh<Dim>& mesh;
+  Body<Dim>& body;
+  int slot;
+};
+
 /// The arrays of one block's update. Window arrays hold [component][window cells] and one vector more, so
 /// that rows may be read in whole vectors; the others [component][cells].
 template <int Dim>
@@ -17,15 +25,16 @@ struct Work {
   Box<Dim> cells;               // of the block that hold matter
   std::size_t n = 0, wide = 0;  // of those cells, of the window's
   double *primitive = nullptr, *impedance = nullptr, *stress = nullptr;
-  std::uint8_t* role = nullptr;    // null where every cell has a value
-  bool fails = false;              // the matter can fail
-  std::uint8_t* failed = nullptr;  // FailedCell of each cell of the window; null: nothing has failed
-  bool whole = false;              // cells are whole and real, or not there at all (ghost fluid)
-  HalfStep ahead{};                // dt 0: three stages
-  double* open = nullptr;          // 1 where a cell has a value for half a step, else 0; null: all have
-  double* rate = nullptr;          // [contents]
-  double* gradient = nullptr;      // [i * Dim + j]: integral of du_i/dx_j
-  double* radial = nullptr;        // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
+  std::uint8_t* role = nullptr;            // null where every cell has a value
+  bool fails = false;                      // the matter can fail
+  std::uint8_t* failed = nullptr;          // FailedCell of each cell of the window; null: nothing has failed
+  bool whole = false;                      // cells are whole and real, or not there at all (ghost fluid)
+  const LevelSides<Dim>* sides = nullptr;  // null: all blocks around are of its level
+  HalfStep ahead{};                        // dt 0: three stages
+  double* open = nullptr;      // 1 where a cell has a value for half a step, else 0; null: all have
+  double* rate = nullptr;      // [contents]
+  double* gradient = nullptr;  // [i * Dim + j]: integral of du_i/dx_j
+  double* radial = nullptr;    // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
 
   /// Contents that flow: without damage all but that, which stands last.
   std::size_t carried() const { return carried_contents<Dim>(fails); }

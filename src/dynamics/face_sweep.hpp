@@ -6,6 +6,7 @@
 #include "core/scratch.hpp"
 #include "cutcell/geometry.hpp"
 #include "dynamics/block_half_step.hpp"
+#include "dynamics/block_sources.hpp"
 #include "dynamics/face_rows.hpp"
 #include "dynamics/failed_faces.hpp"
 #include "dynamics/flux_llf.hpp"
@@ -216,6 +217,7 @@ void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Di
     parted = scratch.take<PartedFace<Dim>>(nf);
     apart = solve_failed_faces<Dim, Axis, Shear>(eos, g, w, out, parted);
   }
+  if (w.sides) meet_other_levels(out, Axis, w);
 
   add_fluxes<Dim, Axis>(out, w);
   for (int k = 0; k < apart; ++k) part_gradient<Dim, Axis>(out, parted[k], w);

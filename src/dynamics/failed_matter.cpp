@@ -21,7 +21,7 @@ template <int Dim>
 void relieve_averages(const State<Dim>& state, Body<Dim>& body, int slot) {
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
   std::visit(
       [&](const auto& eos) {

@@ -62,7 +62,7 @@ template <int Dim>
 std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
   std::int64_t count = 0;
-  const Grid<Dim>& grid = state.grid();
+  const Grid<Dim>& grid = state.grid(slot);
   const Index<Dim> lo = state.mesh.block(slot).cells.lo;
   const std::size_t n = b.volume.size();
   Box<Dim> rows = b.matter;

@@ -55,7 +55,7 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
   if (!has_strength(body.material.strength) && !fails) return;
   BodyBlock<Dim>& b = body.at(slot);
   const auto number = static_cast<std::size_t>(&body - state.bodies.data());
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
   std::visit(
       [&](const auto& strength) {
@@ -72,7 +72,8 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
           const bool failed = cell.has_failed();
           const double growth = return_cell<Dim>(strength, body, q, n, b.volume[k], dt);
           ledger.counters.clamped_damage += cell.grow(dt, growth);
-          if (!failed && cell.has_failed()) ledger.failures[number].note(state.time, i);
+          if (!failed && cell.has_failed())
+            ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
         });
       },
       body.material.strength);
@@ -82,7 +83,7 @@ template <int Dim>
 std::int64_t clear_negative_strain(const State<Dim>& state, Body<Dim>& body, int slot) {
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
-  const Box<Dim> layout = state.grid().layout();
+  const Box<Dim> layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
   Box<Dim> rows = b.reach;
   const int width = rows.extent(0);
@@ -110,7 +111,7 @@ std::int64_t clear_negative_strain(const State<Dim>& state, Body<Dim>& body, int
 template <int Dim>
 void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double old_weight) {
   BodyBlock<Dim>& b = body.at(slot);
-  const Box<Dim> layout = state.grid().layout();
+  const Box<Dim> layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
   Box<Dim> rows = b.reach;
   const auto width = static_cast<std::size_t>(rows.extent(0));

@@ -23,7 +23,7 @@ constexpr double thinnest_failed = 1e-3;  // ... unless it has failed (of rho0):
 
 template <int Dim>
 std::string place_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
-  const Vec<Dim> x = state.grid().centre(state.mesh.block(slot).cells.lo + local);
+  const Vec<Dim> x = state.grid(slot).centre(state.mesh.block(slot).cells.lo + local);
   std::string text;
   for (int d = 0; d < Dim; ++d) text += fmt::format("{}{:.6g}", d ? ", " : "", x[d] * 1e3);
   return "(" + text + ") mm";
@@ -48,12 +48,12 @@ template <int Dim>
       "velocity ({}) m/s, internal energy {:.6g} J/kg, {:.3g} of a cell",
       body.name, place_of(state, slot, local), state.time * 1e6, rho, largest_density(body.material.eos),
       velocity, q[Components<Dim>::energy] / mass - kinetic,
-      b.volume[k] / state.grid().full_volume(state.mesh.block(slot).cells.lo + local)));
+      b.volume[k] / state.grid(slot).full_volume(state.mesh.block(slot).cells.lo + local)));
 }
 
 template <int Dim, class F>
 void for_each_cell(const State<Dim>& state, int slot, F&& f) {
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   for_each(cells, [&](const Index<Dim>& i) { f(i, static_cast<std::size_t>(layout.at(i - cells.lo))); });
 }
 
@@ -84,7 +84,7 @@ template <int Dim, class EosModel>
 void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
                    Counters& counters) {
   BodyBlock<Dim>& b = body.at(slot);
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
   constexpr DensityRange range = density_range<EosModel>();
   if (!b.near_surface) {
@@ -99,6 +99,7 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
     // Runs of good donors go through the same loop as whole rows.
     const double thinnest =
         can_fail(body.material.damage) ? thinnest_failed : thinnest_averaged * range.least;
+    const Grid<Dim>& grid = state.grid(slot);
     std::size_t first = 0, count = 0;
     const auto flush = [&] {
       if (count > 0)
@@ -108,7 +109,7 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
     for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
       const double volume = b.volume[k], rho = b.contents[k] / volume;
       const bool donor = (b.role[k] & donates) != 0;
-      if (donor && volume > least_averaged * state.grid().full_volume(i) && rho > thinnest * eos.rho0 &&
+      if (donor && volume > least_averaged * grid.full_volume(i) && rho > thinnest * eos.rho0 &&
           rho < densest_averaged * range.most * eos.rho0) {
         if (count > 0 && k != first + count) flush();
         if (count == 0) first = k;
@@ -138,8 +139,9 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
   };
   const double densest = largest_density(body.material.eos);
   const double thinnest = thinnest_used * density_range(body.material.eos).least;
+  const Grid<Dim>& grid = state.grid(slot);
   for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
-    const double fill = b.volume[k] / state.grid().full_volume(i);
+    const double fill = b.volume[k] / grid.full_volume(i);
     std::uint8_t role = 0;
     if (fill > donor_fill) role |= donates;
     if (fill >= regular_fill) role |= regular | valued;
@@ -166,7 +168,7 @@ template <int Dim>
 double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, Counters& counters) {
   using C = Components<Dim>;
   const BodyBlock<Dim>& b = body.at(slot);
-  const auto n = static_cast<std::size_t>(state.grid().layout().size());
+  const auto n = static_cast<std::size_t>(state.grid(slot).layout().size());
   const double g = shear_modulus(body.material);
   const bool fails = can_fail(body.material.damage);
   double fastest = 0;
@@ -190,7 +192,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
         });
       },
       body.material.eos);
-  return fastest / state.grid().dx;
+  return fastest / state.grid(slot).dx;
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                         \

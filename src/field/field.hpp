@@ -27,6 +27,7 @@ enum class Field : std::uint8_t {
   ghosts,
   updates,
   contents_sum,
+  rims,
   count
 };
 
@@ -62,7 +63,8 @@ enum class Lifetime : std::uint8_t {
 /// What a field has entries for.
 enum class Extent : std::uint8_t {
   cells,  // every cell of every block that the body is in
-  cuts    // the cut cells of blocks near the surface, and what belongs to them
+  cuts,   // the cut cells of blocks near the surface, and what belongs to them
+  rims    // the faces at the sides of blocks beyond which the cells are coarser
 };
 
 /// How a cell gets its value from the 2^Dim finer cells in its place.
@@ -75,8 +77,8 @@ enum class Restriction : std::uint8_t {
 
 /// How finer cells get their values from the one that they replace.
 enum class Prolongation : std::uint8_t {
-  conservative,  // limited linear, the parent's sum kept
-  linear,        // limited linear
+  conservative,  // limited parabolas along each axis, the parent's sum kept
+  linear,        // limited parabolas
   copy,          // the parent's value
   finest_only    // never
 };

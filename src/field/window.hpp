@@ -18,8 +18,8 @@ enum class Beyond {
   nothing  // the value for absent cells at both
 };
 
-/// A block and the cells around it, up to `halo` away, read from the block and its neighbours. No block
-/// stores ghost cells: a kernel gathers what it reads into a window of its own, as wide as it needs.
+/// A block and the cells of its level around it, up to `halo` away, read from the block and its neighbours.
+/// No block stores ghost cells: a kernel gathers what it reads into a window of its own, as wide as it needs.
 template <int Dim>
 class Window {
  public:
@@ -34,7 +34,7 @@ class Window {
 
   /// @param inner the part of the block that the window surrounds, not empty.
   Window(const Mesh<Dim>& mesh, int slot, int halo, const Box<Dim>& inner)
-      : mesh_(mesh), layout_(mesh.grid().layout()), inner_(inner), box_(inner.grown(halo)) {
+      : mesh_(mesh), grid_(mesh.grid(slot)), layout_(grid_.layout()), inner_(inner), box_(inner.grown(halo)) {
     const Block<Dim>& block = mesh.block(slot);
     home_ = block.cells.lo;
     for (int d = 0; d < Dim; ++d) map_axis(block, d);
@@ -68,7 +68,7 @@ class Window {
   Vec<Dim> appear(const Index<Dim>& i, const Source& from, const Vec<Dim>& x) const {
     const Index<Dim> home = mesh_.block(from.slot).cells.lo + layout_.index(from.cell);
     if (home == i) return x;
-    const Vec<Dim> here = mesh_.grid().centre(i), there = mesh_.grid().centre(home);
+    const Vec<Dim> here = grid_.centre(i), there = grid_.centre(home);
     Vec<Dim> y;
     for (int d = 0; d < Dim; ++d) y[d] = here[d] + ((from.flips >> d & 1U) != 0 ? -1 : 1) * (x[d] - there[d]);
     return y;
@@ -129,9 +129,8 @@ class Window {
   Axis map_index(const Block<Dim>& block, int d, int g) const {
     if (g >= block.cells.lo[d] && g < block.cells.hi[d])
       return {0, g - block.cells.lo[d], false, false, false};
-    const Grid<Dim>& grid = mesh_.grid();
-    const int n = grid.cells[d], nb = grid.block[d];
-    const auto& edge = grid.edge[d];
+    const int n = grid_.cells[d], nb = grid_.block[d];
+    const auto& edge = grid_.edge[d];
     Axis a{};
     if (edge[0] == Edge::periodic) {
       int wrapped = g % n;
@@ -229,6 +228,7 @@ class Window {
   static constexpr std::size_t longest = 160;  // block and halo along one axis
 
   const Mesh<Dim>& mesh_;
+  const Grid<Dim>& grid_;  // of the block's level
   Box<Dim> layout_, inner_, box_;
   Index<Dim> home_{};
   // Left as they are beyond what a window uses: setting them to zero would cost as much as a gather.

@@ -29,7 +29,7 @@ void for_each_fragment(const State<Dim>& state, int m, F&& f) {
     for_each(block.cells, [&](const Index<Dim>& i) {
       const auto k = static_cast<std::size_t>(state.grid().layout().at(i - block.cells.lo));
       if (!(b.contents[k] > 0)) return;
-      const Vec<Dim> c = state.grid().centre(i);
+      const Vec<Dim> c = state.grid(slot).centre(i);
       f(block.order, b.contents[k], Plane{c[0], c[Dim > 1 ? 1 : 0]},
         Plane{b.contents[C::u * n + k], b.contents[(C::u + (Dim > 1 ? 1 : 0)) * n + k]});
     });

@@ -49,7 +49,7 @@ struct At {
 /// f(cell, axis of the pair, place of the surface, phi of the wall there)
 template <int Dim, class F>
 void for_crossings(const State<Dim>& state, const BarWatch& bar, int slot, F&& f) {
-  const Grid<Dim>& grid = state.grid();
+  const Grid<Dim>& grid = state.grid(slot);
   const Window<Dim> window(state.mesh, slot, 1);
   const auto size = static_cast<std::size_t>(window.size());
   const double far = far_cells * grid.dx;
@@ -75,14 +75,17 @@ void for_crossings(const State<Dim>& state, const BarWatch& bar, int slot, F&& f
 }
 
 template <int Dim>
-void add_strains(const State<Dim>& state, const BodyBlock<Dim>& b, const Box<Dim>& cells, const At<Dim>& at,
+void add_strains(const State<Dim>& state, const BodyBlock<Dim>& b, int slot, const At<Dim>& at,
                  std::span<double> row) {
   using C = Components<Dim>;
-  const Grid<Dim>& grid = state.grid();
+  const Box<Dim> cells = state.mesh.block(slot).cells;
+  const int parts = 1 << state.mesh.block(slot).level;
+  const Grid<Dim>& grid = state.grid(slot);
   const std::size_t n = b.volume.size();
   for_each(cells, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(grid.layout().at(i - cells.lo));
-    row[at.volume + static_cast<std::size_t>(i[axis<Dim>])] += b.volume[k];
+    for (int part = 0; part < parts; ++part)  // rows of the finest cells
+      row[at.volume + static_cast<std::size_t>(i[axis<Dim>] * parts + part)] += b.volume[k] / parts;
     if (b.volume[k] < shown_fill * grid.full_volume(i) || !(b.contents[k] > 0)) return;
     const double ep = b.contents[C::ep * n + k] / b.contents[k];
     row[at.strain] = std::max(row[at.strain], ep);
@@ -144,7 +147,8 @@ void collect_bar(const State<Dim>& state, const BarWatch& bar, int item, Ordered
     const Block<Dim>& block = state.mesh.block(slot);
     const std::span<double> row = sums.add(item, block.order);
     const auto raise = [&row](std::size_t where, double value) { row[where] = std::max(row[where], value); };
-    add_strains(state, body.at(slot), block.cells, at, row);
+    add_strains(state, body.at(slot), slot, at, row);
+    if (block.level > 0) continue;  // no surface is there
     for_crossings(state, bar, slot,
                   [&](const Index<Dim>& i, int d, const Vec<Dim>& x, bool below, double gap) {
                     if (d != axis<Dim>)

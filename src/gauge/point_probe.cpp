@@ -50,32 +50,31 @@ constexpr std::array<unsigned, PointState<Dim>::stresses> odd_stresses() {
 /// The body around one of its points.
 template <int Dim>
 struct Around {
-  const State<Dim>& state;
+  const Grid<Dim>& grid;  // of the block's level
   const Body<Dim>& body;
   Window<Dim> window;
+  double far;  // m, beyond which phi is not kept
 
   double phi(const Index<Dim>& i) const {
     const auto from = window.source(i);
     const bool there = from.slot >= 0 && body.present(from.slot);
-    return there ? body.at(from.slot).phi[from.cell] : far_cells * state.grid().dx;
+    return there ? body.at(from.slot).phi[from.cell] : far;
   }
 
   /// Middle of the body's fragment of a cell: half of what is missing away from the surface.
   Vec<Dim> middle(const Index<Dim>& i, double fill) const {
-    const double dx = state.grid().dx;
-    Vec<Dim> slope, x = state.grid().centre(i);
+    Vec<Dim> slope, x = grid.centre(i);
     for (int d = 0; d < Dim; ++d) {
       Index<Dim> lo = i, hi = i;
       --lo[d], ++hi[d];
       slope[d] = phi(hi) - phi(lo);
     }
-    if (fill < full && norm(slope) > 0) x += (-0.5 * (1 - fill) * dx) * unit(slope);
+    if (fill < full && norm(slope) > 0) x += (-0.5 * (1 - fill) * grid.dx) * unit(slope);
     return x;
   }
 
   /// Beyond an edge through which matter leaves.
   bool beyond_open(const Index<Dim>& i) const {
-    const Grid<Dim>& grid = state.grid();
     for (int d = 0; d < Dim; ++d)
       if ((i[d] < 0 && grid.edge[d][0] == Edge::outflow) ||
           (i[d] >= grid.cells[d] && grid.edge[d][1] == Edge::outflow))
@@ -88,7 +87,7 @@ struct Around {
     const auto from = window.source(i);
     if (from.slot < 0 || !body.present(from.slot)) return {};
     const BodyBlock<Dim>& b = body.at(from.slot);
-    const double volume = b.volume[from.cell], whole = state.grid().full_volume(i);
+    const double volume = b.volume[from.cell], whole = grid.full_volume(i);
     const Contents<Dim> contents = contents_of(b, from.cell);
     if (volume < shown_fill * whole || !(contents[0] > 0)) return {};
     const PointState<Dim> p = point_state(body, contents, volume);
@@ -113,7 +112,7 @@ template <int Dim>
 std::optional<Values<Dim>> between_cells(const Around<Dim>& around, const Vec<Dim>& x) {
   Values<Dim> sum{};
   bool complete = true;
-  for_corners(around.state.grid(), x, [&](const Index<Dim>& i, double weight) {
+  for_corners(around.grid, x, [&](const Index<Dim>& i, double weight) {
     const auto s = complete ? around.sample(i) : std::nullopt;
     complete = complete && s && s->fill >= full;
     if (!complete) return;
@@ -167,7 +166,7 @@ struct LinearFit {
 /// From the cells on the body's own side of its surface; nothing where there are none.
 template <int Dim>
 std::optional<Values<Dim>> beside_surface(const Around<Dim>& around, const Vec<Dim>& x) {
-  const Grid<Dim>& grid = around.state.grid();
+  const Grid<Dim>& grid = around.grid;
   Vec<Dim> half_back = x;
   for (int d = 0; d < Dim; ++d) half_back[d] -= 0.5 * grid.dx;
   const Index<Dim> low = grid.cell_of(half_back);
@@ -190,9 +189,8 @@ std::optional<Values<Dim>> beside_surface(const Around<Dim>& around, const Vec<D
 template <int Dim>
 std::optional<Values<Dim>> values_at(const Around<Dim>& around, const Vec<Dim>& x) {
   double phi = 0;
-  for_corners(around.state.grid(), x,
-              [&](const Index<Dim>& i, double weight) { phi += weight * around.phi(i); });
-  if (phi > outside * around.state.grid().dx) return {};
+  for_corners(around.grid, x, [&](const Index<Dim>& i, double weight) { phi += weight * around.phi(i); });
+  if (phi > outside * around.grid.dx) return {};
   if (auto found = between_cells(around, x)) return found;
   return beside_surface(around, x);
 }
@@ -243,18 +241,20 @@ template <int Dim>
 void probe_point(const State<Dim>& state, const BodyPoint<Dim>& point, int item, OrderedSums& sums) {
   const Body<Dim>& body = state.bodies[point.body];
   if (body.rigid) return;
-  const Index<Dim> i = cell_in_domain(state.grid(), point.at);
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
+    const Grid<Dim>& grid = state.grid(slot);
+    const Index<Dim> i = cell_in_domain(grid, point.at);
     if (!state.mesh.block(slot).cells.contains(i)) continue;
     Box<Dim> own{i, i};
     for (int d = 0; d < Dim; ++d) ++own.hi[d];
-    const Around<Dim> around{state, body, Window<Dim>(state.mesh, slot, halo, own)};
+    const Around<Dim> around{grid, body, Window<Dim>(state.mesh, slot, halo, own),
+                             far_cells * state.grid().dx};
     Vec<Dim> x = point.at;
     const double dt = state.time - point.time;
-    if (point.follows && point.moves && dt > 0 && norm(point.velocity) * dt < state.grid().dx) {
+    if (point.follows && point.moves && dt > 0 && norm(point.velocity) * dt < grid.dx) {
       const auto ahead = values_at(around, x + dt * point.velocity);
       const Vec<Dim> then = ahead ? velocity_in<Dim>(*ahead) : point.velocity;
-      x += (0.5 * dt) * (norm(then) * dt < state.grid().dx ? point.velocity + then : 2.0 * point.velocity);
+      x += (0.5 * dt) * (norm(then) * dt < grid.dx ? point.velocity + then : 2.0 * point.velocity);
     }
     if (const auto found = values_at(around, x))
       put<Dim>(*found, x, sums.add(item, state.mesh.block(slot).order).data());

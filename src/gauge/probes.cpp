@@ -19,7 +19,7 @@ void for_blocks_near(const State<Dim>& state, int body, const Vec<Dim>& x, F&& f
   const Index<Dim> centre = state.grid().cell_of(x);
   const Body<Dim>& b = state.bodies[body];
   for (int slot = 0; slot < state.mesh.local(); ++slot)
-    if (b.present(slot) &&
+    if (b.present(slot) && state.mesh.block(slot).level == 0 &&
         state.mesh.block(slot).cells.grown(static_cast<int>(far_reach) + 1).contains(centre))
       f(slot, b.at(slot));
 }

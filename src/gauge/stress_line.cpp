@@ -28,24 +28,21 @@ double along_line(const PointState<Dim>& p, const Vec<Dim>& n) {
            2 * (n[0] * n[1] * p.stress[2] + n[0] * n[2] * p.stress[3] + n[1] * n[2] * p.stress[4]);
 }
 
-/// One cell's share in a station, if this rank has it.
+/// The share of a cell of the finest level in a station, if this rank has the block that holds its centre.
 template <int Dim>
 void add_cell(const State<Dim>& state, const StressLine<Dim>& line, const Index<Dim>& i, double weight,
               int item, OrderedSums& sums) {
-  const Grid<Dim>& grid = state.grid();
-  Index<Dim> place;
-  for (int d = 0; d < Dim; ++d) {
-    if (i[d] < 0 || i[d] >= grid.cells[d]) return;
-    place[d] = i[d] / grid.block[d];
-  }
-  const int slot = state.mesh.find(place);
+  const Vec<Dim> x = state.grid().centre(i);
+  const int slot = state.mesh.find(x);
   const Body<Dim>& body = state.bodies[line.body];
   if (slot < 0 || slot >= state.mesh.local() || !body.present(slot)) return;
+  const Grid<Dim>& grid = state.grid(slot);
   const Block<Dim>& block = state.mesh.block(slot);
-  const int k = grid.layout().at(i - block.cells.lo);
+  const Index<Dim> cell = grid.cell_of(x);
+  const int k = grid.layout().at(cell - block.cells.lo);
   const double volume = body.at(slot).volume[k];
   const Contents<Dim> contents = contents_of(body.at(slot), k);
-  if (volume < shown_fill * grid.full_volume(i) || !(contents[0] > 0)) return;
+  if (volume < shown_fill * grid.full_volume(cell) || !(contents[0] > 0)) return;
   const PointState<Dim> p = point_state(body, contents, volume);
   const std::span<double> row = sums.add(item, block.order);
   row[At<Dim>::weight] = weight;

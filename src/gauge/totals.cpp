@@ -83,7 +83,8 @@ void sum_row(const BodyBlock<Dim>& b, std::size_t first, std::size_t count, cons
 /// Largest strain, and the extent: a ball of radius |phi| about a place inside lies within the body, and
 /// touches its surface, so the farthest such ball shows how far the body reaches.
 template <int Dim>
-void find_extremes(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const Box<Dim>& cells, double* out) {
+void find_extremes(const Grid<Dim>& grid, double finest, const BodyBlock<Dim>& b, const Box<Dim>& cells,
+                   double* out) {
   using C = Components<Dim>;
   using A = At<Dim>;
   const Box<Dim> layout = grid.layout();
@@ -92,7 +93,7 @@ void find_extremes(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const Box<Dim
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     if (b.volume[k] >= judged_fill * grid.full_volume(i) && b.contents[k] > 0)
       out[A::strain] = std::max(out[A::strain], b.contents[C::ep * n + k] / b.contents[k]);
-    if (!(b.phi[k] < 0) || b.phi[k] < -2 * grid.dx) return;  // deeper cells give the surface less accurately
+    if (!(b.phi[k] < 0) || b.phi[k] < -2 * finest) return;  // deeper cells give the surface less accurately
     const Vec<Dim> x = grid.centre(i);
     for (std::size_t d = 0; d < Dim; ++d) {
       const double c = x[static_cast<int>(d)];
@@ -104,7 +105,7 @@ void find_extremes(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const Box<Dim
 
 template <int Dim>
 void sum_block(const State<Dim>& state, const Body<Dim>& body, int slot, double* out) {
-  const Grid<Dim>& grid = state.grid();
+  const Grid<Dim>& grid = state.grid(slot);
   const BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
   Box<Dim> rows = cells;
@@ -113,7 +114,7 @@ void sum_block(const State<Dim>& state, const Body<Dim>& body, int slot, double*
     sum_row(b, static_cast<std::size_t>(layout.at(i - cells.lo)), static_cast<std::size_t>(cells.extent(0)),
             grid.centre(i), grid.dx, out);
   });
-  find_extremes(grid, b, cells, out);
+  find_extremes(grid, state.grid().dx, b, cells, out);
 }
 
 template <int Dim>

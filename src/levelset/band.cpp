@@ -7,11 +7,46 @@
 
 namespace recoil {
 
+namespace {
+
+/// Of a rigid body, whose distance is known everywhere: coarser blocks do not hold it, so that it may come
+/// near a finest one without being in a block beside it.
+template <int Dim>
+BandChoice<Dim> choose_rigid_band(const State<Dim>& state, const Body<Dim>& body, int slot) {
+  const Grid<Dim>& grid = state.grid();
+  const Box<Dim> cells = state.mesh.block(slot).cells;
+  const double band = band_cells * grid.dx;
+  const RigidPose<Dim> pose = pose_after(*body.rigid, 0);
+  Vec<Dim> middle;
+  double across = 0;
+  for (int d = 0; d < Dim; ++d) {
+    middle[d] = 0.5 * (grid.centre(cells.lo)[d] + grid.centre(cells.hi)[d] - grid.dx);
+    across += std::pow(0.5 * (cells.extent(d) + 4) * grid.dx, 2);
+  }
+  BandChoice<Dim> choice;
+  if (std::abs(distance_at(*body.rigid, pose, middle)) > std::sqrt(across) + band) return choice;
+  for_each(cells.grown(2), [&](const Index<Dim>& i) {
+    const double phi = distance_at(*body.rigid, pose, grid.centre(i));
+    choice.near_surface = choice.near_surface || std::abs(phi) < band;
+    if (cells.contains(i) && phi < reach_cells * grid.dx) extend(choice.reach, i);
+  });
+  choice.present = choice.near_surface;
+  return choice;
+}
+
+}  // namespace
+
 template <int Dim>
 BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int slot, Scratch& scratch) {
   const Grid<Dim>& grid = state.grid();
   const BodyBlock<Dim>& b = body.at(slot);
   BandChoice<Dim> choice;
+  if (state.mesh.block(slot).level > 0) {  // no surface is there
+    choice.present = b.present && !body.rigid &&
+                     std::any_of(b.volume.begin(), b.volume.end(), [](double v) { return v != 0; });
+    return choice;
+  }
+  if (body.rigid && state.mesh.levels() > 1) return choose_rigid_band(state, body, slot);
   bool around = false;
   for (const int s : state.mesh.block(slot).neighbour) around = around || (s >= 0 && body.present(s));
   if (!around) return choice;

@@ -11,8 +11,8 @@ namespace recoil {
 /// What lies beyond an edge of the domain. `reflect` is a plane of symmetry, a rigid slip wall or the axis.
 enum class Edge : unsigned char { outflow, reflect, periodic };
 
-/// The uniform Cartesian cells of the domain and how they are cut into blocks. Axisymmetry is data: areas
-/// and volumes are per radian, weighted with r (axis 0), and the metric functions below know it.
+/// The Cartesian cells of one level of the domain and how they are cut into blocks. Axisymmetry is data:
+/// areas and volumes are per radian, weighted with r (axis 0), and the metric functions below know it.
 template <int Dim>
 struct Grid {
   Vec<Dim> origin;                              // m, low corner of cell 0
@@ -22,9 +22,27 @@ struct Grid {
   std::array<std::array<Edge, 2>, Dim> edge{};  // [axis][low, high]
   bool axisymmetric = false;
 
+  /// The cells of a level: 2^level times as wide. @pre the domain holds whole ones.
+  Grid at_level(int level) const {
+    Grid g = *this;
+    g.dx *= 1 << level;
+    for (int d = 0; d < Dim; ++d) g.cells[d] >>= level;
+    return g;
+  }
+
   Box<Dim> domain() const { return {{}, cells}; }
   /// The layout of every block's arrays, cut short or not.
   Box<Dim> layout() const { return {{}, block}; }
+
+  /// The cells of the block at a place of the lattice; none beyond the domain.
+  Box<Dim> cells_of(const Index<Dim>& at) const {
+    Box<Dim> b;
+    for (int d = 0; d < Dim; ++d) {
+      b.lo[d] = at[d] * block[d];
+      b.hi[d] = b.lo[d] + block[d] < cells[d] ? b.lo[d] + block[d] : cells[d];
+    }
+    return b;
+  }
 
   Index<Dim> blocks() const {
     Index<Dim> n;

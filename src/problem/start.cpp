@@ -91,19 +91,20 @@ void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells, const config::Body
 template <int Dim>
 void place_body(State<Dim>& state, int m, const config::Body& from,
                 const std::function<double(const Vec<Dim>&)>& distance) {
-  const Grid<Dim>& grid = state.grid();
   Body<Dim>& body = state.bodies[m];
-  const double far = far_cells * grid.dx;
-  const Box<Dim> layout = grid.layout();
+  const double far = far_cells * state.grid().dx, band = band_cells * state.grid().dx;
+  const Box<Dim> layout = state.grid().layout();
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
+    const Grid<Dim>& grid = state.grid(slot);
     const Box<Dim> cells = state.mesh.block(slot).cells;
+    const bool finest = state.mesh.block(slot).level == 0;  // others hold no surface
     bool needed = false;
-    for_each(cells.grown(2), [&](const Index<Dim>& i) {
+    for_each(finest ? cells.grown(2) : cells, [&](const Index<Dim>& i) {
       const double s = distance(grid.centre(i));
-      needed = needed || (body.rigid ? std::abs(s) : s) < band_cells * grid.dx;
+      needed = needed || (finest ? (body.rigid ? std::abs(s) : s) < band : !body.rigid && s < 0);
     });
     if (!needed) continue;
-    enter_block(body, slot, grid);
+    enter_block(body, slot, state.grid());
     BodyBlock<Dim>& b = body.at(slot);
     for_each(cells, [&](const Index<Dim>& i) {
       b.phi[layout.at(i - cells.lo)] = std::clamp(distance(grid.centre(i)), -far, far);
@@ -159,6 +160,64 @@ RigidMotion<Dim> rigid_motion(const Grid<Dim>& grid, const config::Body& from,
   return m;
 }
 
+/// A block's middle, and half of its diagonal and of its longest edge [m].
+template <int Dim>
+struct Ball {
+  Vec<Dim> middle;
+  double radius = 0, widest = 0;
+};
+
+template <int Dim>
+Ball<Dim> ball_around(const Grid<Dim>& finest, const Place<Dim>& place) {
+  const Grid<Dim> grid = finest.at_level(place.level);
+  const Box<Dim> cells = grid.cells_of(place.at);
+  Ball<Dim> ball;
+  for (int d = 0; d < Dim; ++d) {
+    const double half = 0.5 * cells.extent(d) * grid.dx;
+    ball.middle[d] = grid.origin[d] + 0.5 * (cells.lo[d] + cells.hi[d]) * grid.dx;
+    ball.radius += half * half;
+    ball.widest = std::max(ball.widest, half);
+  }
+  ball.radius = std::sqrt(ball.radius);
+  return ball;
+}
+
+/// Whether a block is cut at the start: a surface, or a block beside one with a surface, may be in it.
+template <int Dim>
+bool starts_finer(const config::Case& c, const std::vector<std::function<double(const Vec<Dim>&)>>& distance,
+                  const Grid<Dim>& grid, const Place<Dim>& place) {
+  const Ball<Dim> ball = ball_around(grid, place);
+  int widest = 0;
+  for (int d = 0; d < Dim; ++d) widest = std::max(widest, grid.block[d]);
+  const double near = ball.radius + std::sqrt(static_cast<double>(Dim)) * (widest + band_cells + 2) * grid.dx;
+  for (std::size_t m = 0; m < distance.size(); ++m)
+    if (!c.bodies[m].rigid && std::abs(distance[m](ball.middle)) < near) return true;
+  return false;
+}
+
+/// f(cell) for the cells of a box but those of parts for which skip(middle, radius) is true: nothing within that
+/// distance of the middle matters.
+template <int Dim, class Skip, class F>
+void for_each_cell_but(const Grid<Dim>& grid, const Box<Dim>& cells, const Skip& skip, const F& f) {
+  constexpr int few = 64;
+  double n = 1;  // may be more than an int holds
+  for (int d = 0; d < Dim; ++d) n *= cells.extent(d);
+  if (n <= few) return for_each(cells, f);
+  Vec<Dim> middle;
+  double radius = 0;
+  int longest = 0;
+  for (int d = 0; d < Dim; ++d) {
+    middle[d] = grid.origin[d] + 0.5 * (cells.lo[d] + cells.hi[d]) * grid.dx;
+    radius += std::pow(0.5 * cells.extent(d) * grid.dx, 2);
+    if (cells.extent(d) > cells.extent(longest)) longest = d;
+  }
+  if (skip(middle, std::sqrt(radius))) return;
+  Box<Dim> low = cells, high = cells;
+  low.hi[longest] = high.lo[longest] = (cells.lo[longest] + cells.hi[longest]) / 2;
+  for_each_cell_but(grid, low, skip, f);
+  for_each_cell_but(grid, high, skip, f);
+}
+
 template <int Dim>
 void find_overlaps_in(const config::Case& c, config::Diagnostics& out) {
   const Grid<Dim> grid = make_grid<Dim>(c);
@@ -167,7 +226,12 @@ void find_overlaps_in(const config::Case& c, config::Diagnostics& out) {
   const std::size_t n = distance.size();
   std::vector<double> deepest(n * n, 0), phi(n);
   std::vector<Vec<Dim>> place(n * n);
-  for_each(grid.domain(), [&](const Index<Dim>& i) {
+  const auto apart = [&](const Vec<Dim>& middle, double radius) {
+    int near = 0;  // bodies that reach into it
+    for (std::size_t m = 0; m < n; ++m) near += distance[m](middle) < radius + 0.5 * grid.dx ? 1 : 0;
+    return near < 2;
+  };
+  for_each_cell_but(grid, grid.domain(), apart, [&](const Index<Dim>& i) {
     const Vec<Dim> x = grid.centre(i);
     for (std::size_t m = 0; m < n; ++m) phi[m] = distance[m](x);
     for (std::size_t m = 0; m < n; ++m)
@@ -188,6 +252,29 @@ void find_overlaps_in(const config::Case& c, config::Diagnostics& out) {
                             c.bodies[q].name, deepest[m * n + q] * 1e3, at),
                 fmt::format("move or cut one of them; bodies may touch, as at a common face"));
     }
+}
+
+}  // namespace
+
+namespace {
+
+/// Makes the domain larger at open ends until it holds whole cells of the coarsest level.
+template <int Dim>
+void fit_levels(Grid<Dim>& g, int levels) {
+  const int widest = 1 << (levels - 1);
+  for (int d = 0; d < Dim; ++d) {
+    const int lacking = (widest - g.cells[d] % widest) % widest;
+    if (lacking == 0) continue;
+    const auto& edge = g.edge[static_cast<std::size_t>(d)];
+    if (edge[0] != Edge::outflow && edge[1] != Edge::outflow)
+      throw InputError(
+          fmt::format("error: axis {} of the domain has {} of the finest cells, but its closed ends need "
+                      "whole cells of all "
+                      "{} levels\n   = help: a multiple of {} cells, such as {}, or fewer levels",
+                      d, g.cells[d], levels, widest, g.cells[d] + lacking));
+    g.cells[d] += lacking;
+    if (edge[1] != Edge::outflow) g.origin[d] -= lacking * g.dx;
+  }
 }
 
 }  // namespace
@@ -215,8 +302,38 @@ Grid<Dim> make_grid(const config::Case& c) {
           "   = help: mesh.finest = \"{:.6g} mm\" gives {} cells",
           d, length, length * g.dx / std::round(length) * 1e3, std::round(length)));
   }
-  g.block = choose_block<Dim>(g.cells, g.edge, c.mesh.block);
+  if (c.mesh.levels > 1 && c.method.scheme != "conservative")
+    throw InputError(
+        "error: a mesh of several levels (mesh.levels) needs method.scheme = \"conservative\"\n"
+        "   = help: the schemes of ghost fluids have cells of one size: remove mesh.levels");
+  fit_levels(g, c.mesh.levels);
+  g.block = choose_block<Dim>(g.cells, g.edge, c.mesh.block, c.mesh.levels);
   return g;
+}
+
+template <int Dim>
+std::vector<double> cells_at_start(const config::Case& c) {
+  const Grid<Dim> grid = make_grid<Dim>(c);
+  std::vector<std::function<double(const Vec<Dim>&)>> distance;
+  for (const auto& body : c.bodies) distance.push_back(signed_distance<Dim>(body.shape, c.domain));
+  std::vector<double> cells(static_cast<std::size_t>(c.mesh.levels));
+  const std::function<void(const Place<Dim>&)> visit = [&](const Place<Dim>& place) {
+    const Grid<Dim> own = grid.at_level(place.level);
+    if (!Box<Dim>{{}, own.blocks()}.contains(place.at)) return;
+    const Ball<Dim> ball = ball_around(grid, place);
+    bool holds = false;
+    for (std::size_t m = 0; m < distance.size(); ++m)
+      holds = holds || (!c.bodies[m].rigid && distance[m](ball.middle) < ball.widest);
+    if (place.level > 0 && starts_finer<Dim>(c, distance, grid, place)) {
+      for (unsigned child = 0; child < 1U << Dim; ++child) visit(place.finer(child));
+    } else if (holds) {
+      cells[static_cast<std::size_t>(place.level)] += own.cells_of(place.at).size();
+    }
+  };
+  const int coarsest = c.mesh.levels - 1;
+  for_each(Box<Dim>{{}, grid.at_level(coarsest).blocks()},
+           [&](const Index<Dim>& at) { visit(Place<Dim>{coarsest, at}); });
+  return cells;
 }
 
 template <int Dim>
@@ -227,20 +344,21 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
   const Grid<Dim> grid = make_grid<Dim>(c);
   std::vector<std::function<double(const Vec<Dim>&)>> distance;
   for (const auto& body : c.bodies) distance.push_back(signed_distance<Dim>(body.shape, c.domain));
-  const auto weight = [&](const Box<Dim>& cells) {
+  const auto weight = [&](const Place<Dim>& place) {
     // Work follows matter: what the middle of the block is inside of, or near.
-    Vec<Dim> middle;
-    double half = 0;
-    for (int d = 0; d < Dim; ++d) {
-      middle[d] = grid.origin[d] + 0.5 * (cells.lo[d] + cells.hi[d]) * grid.dx;
-      half = std::max(half, 0.5 * cells.extent(d) * grid.dx);
-    }
+    const Ball<Dim> ball = ball_around(grid, place);
     int w = 1;
     for (std::size_t m = 0; m < distance.size(); ++m)
-      if (!c.bodies[m].rigid && distance[m](middle) < half) w += 20;
+      if (!c.bodies[m].rigid && distance[m](ball.middle) < ball.widest) w += 20;
     return w;
   };
-  State<Dim> state{Mesh<Dim>(grid, world, weight), {}, {}, {}};
+  State<Dim> state{
+      Mesh<Dim>(
+          grid, c.mesh.levels, world,
+          [&](const Place<Dim>& place) { return starts_finer<Dim>(c, distance, grid, place); }, weight),
+      {},
+      {},
+      {}};
   for (std::size_t m = 0; m < c.bodies.size(); ++m) {
     Body<Dim> body;
     body.name = c.bodies[m].name;
@@ -281,6 +399,7 @@ void find_overlaps(const config::Case& c, config::Diagnostics& out) {
 
 #define RECOIL_INSTANTIATE(Dim)                                                          \
   template Grid<Dim> make_grid<Dim>(const config::Case&);                                \
+  template std::vector<double> cells_at_start<Dim>(const config::Case&);                 \
   template State<Dim> make_state<Dim>(const config::Case&, const std::vector<Material>&, \
                                       const parallel::World&);
 RECOIL_INSTANTIATE(1)

@@ -3,12 +3,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
 #include "levelset/band.hpp"
 #include "parallel/archive.hpp"
 #include "state/exchange_fields.hpp"
+#include "state/levels.hpp"
 #include "state/pack_state.hpp"
 
 namespace recoil {
@@ -20,6 +23,46 @@ long all_blocks(const State<Dim>& state, const parallel::World& world) {
   std::array count{static_cast<std::int64_t>(state.mesh.local())};
   world.sum(count);
   return static_cast<long>(count[0]);
+}
+
+/// The places of all blocks in the order of the curve, on rank 0: what a mesh of several levels is made from.
+template <int Dim>
+void pack_places(const Mesh<Dim>& mesh, const parallel::World& world, parallel::Bytes& bytes) {
+  parallel::Bytes own;
+  for (int slot = 0; mesh.levels() > 1 && slot < mesh.local(); ++slot)
+    parallel::pack(own, mesh.block(slot).place());
+  const auto all = world.gather(own);
+  if (world.rank() != 0) return;
+  std::uint64_t size = 0;
+  for (const parallel::Bytes& b : all) size += b.size();
+  parallel::pack(bytes, size / sizeof(Place<Dim>));
+  for (const parallel::Bytes& b : all) bytes.insert(bytes.end(), b.begin(), b.end());
+}
+
+/// The mesh whose blocks these are, shared evenly.
+template <int Dim>
+Mesh<Dim> mesh_of(const Mesh<Dim>& like, const std::vector<Place<Dim>>& places,
+                  const parallel::World& world) {
+  std::set<std::pair<int, std::array<int, Dim>>> cut;
+  for (Place<Dim> p : places)
+    while (p.level + 1 < like.levels()) {
+      p = p.coarser();
+      if (!cut.insert({p.level, p.at.c}).second) break;
+    }
+  return Mesh<Dim>(
+      like.grid(), like.levels(), world,
+      [&](const Place<Dim>& p) {
+        return cut.count({p.level, p.at.c}) > 0;
+      },
+      [](const Place<Dim>&) { return 1; });
+}
+
+template <int Dim>
+void take_places(State<Dim>& state, parallel::Unpacker& from, const parallel::World& world) {
+  std::vector<Place<Dim>> places(from.read<std::uint64_t>());
+  from.read(places.data(), places.size());
+  if (places.empty()) return;
+  state = empty_on(mesh_of(state.mesh, places, world), state);
 }
 
 /// f() with what a wrong number of bytes means in a file.
@@ -40,6 +83,7 @@ template <int Dim>
 void write_checkpoint(const std::filesystem::path& path, const std::string& text, const State<Dim>& state,
                       const AveragedStates& averaged, Recorder<Dim>& recorder, const parallel::World& world) {
   BlockFileHead head{text, {}};
+  pack_places(state.mesh, world, head.whole);
   if (world.rank() == 0) pack_whole(state, head.whole);
   recorder.pack_whole(head.whole);
   std::vector<parallel::Bytes> records(static_cast<std::size_t>(state.mesh.local()));
@@ -56,6 +100,8 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& text
 template <int Dim>
 void read_checkpoint(const BlockFile& file, State<Dim>& state, AveragedStates& averaged,
                      Recorder<Dim>& recorder, const parallel::World& world) {
+  parallel::Unpacker whole(file.head().whole);
+  read_exactly([&] { take_places(state, whole, world); });
   make_room(averaged, state);
   read_exactly([&] {
     require(file.blocks() == all_blocks(state, world), "a checkpoint of another mesh");
@@ -74,8 +120,9 @@ void read_checkpoint(const BlockFile& file, State<Dim>& state, AveragedStates& a
   });
   exchange_fields(state, world, run_fields<Dim>());
   state.stale = {};
+  parallel::Team alone;
+  fill_stand_ins(state, Field::contents | Field::volume | Field::phi, alone);
   read_exactly([&] {
-    parallel::Unpacker whole(file.head().whole);
     unpack_whole(state, whole);
     recorder.resume(state, whole);
     require(whole.empty(), "a checkpoint of another version");

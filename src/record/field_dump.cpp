@@ -31,6 +31,7 @@ constexpr double near_surface = 2;  // dx
 template <int Dim>
 struct CellHead {
   Index<Dim> cell{};
+  std::int32_t level = 0;
   std::int32_t body = -1;
   std::uint32_t contact = 0;
 };
@@ -96,7 +97,7 @@ struct CellView {
     const double far = far_cells * state.grid().dx;
     if (body.present(slot)) return std::clamp(body.at(slot).phi[k], -far, far);
     if (!body.rigid) return far;
-    return std::clamp(distance_at(*body.rigid, pose_after(*body.rigid, 0), state.grid().centre(i)), -far,
+    return std::clamp(distance_at(*body.rigid, pose_after(*body.rigid, 0), state.grid(slot).centre(i)), -far,
                       far);
   }
   bool shown() const {
@@ -111,7 +112,7 @@ template <int Dim>
 void pack_cell(const CellView<Dim>& c, const std::vector<FieldVariable>& variables,
                const std::vector<std::uint32_t>& touched, std::vector<float>& floats, parallel::Bytes& out) {
   const auto& bodies = c.state.bodies;
-  CellHead<Dim> head{c.i};
+  CellHead<Dim> head{c.i, c.state.mesh.block(c.slot).level};
   double most = 0, all = 0;
   for (std::size_t m = 0; m < bodies.size(); ++m) {
     const double v = c.volume(bodies[m]);
@@ -137,6 +138,8 @@ void pack_cell(const CellView<Dim>& c, const std::vector<FieldVariable>& variabl
     if (surface) write_contact(v, contact, at);
     if (std::string_view(v.name) == "volume-fraction")
       *at = static_cast<float>(all / c.full);
+    else if (std::string_view(v.name) == "level")
+      *at = static_cast<float>(head.level);
     else if (good)
       write_state(v, state, at);
     at += v.components;
@@ -159,7 +162,7 @@ parallel::Bytes pack_blocks(const State<Dim>& state, const std::vector<FieldVari
     if (!any) continue;
     for_each(cells, [&](const Index<Dim>& i) {
       const CellView<Dim> c{state, slot, i, static_cast<std::size_t>(layout.at(i - cells.lo)),
-                            state.grid().full_volume(i)};
+                            state.grid(slot).full_volume(i)};
       if (c.shown()) pack_cell(c, variables, touched, floats, out);
     });
   }
@@ -191,6 +194,7 @@ const std::vector<FieldVariable>& field_variables() {
       {"stress", "stress_GPa", "stress [GPa]", 6, true},
       {"von-mises", "von_mises_GPa", "von Mises stress [GPa]", 1, false},
       {"volume-fraction", "volume_fraction", "volume fraction", 1, false},
+      {"level", "level", "level of the cells: 0 the finest", 1, false},
       {"contact-state", "contact_state", "contact: 0 free, 1 touching, 2 slipping, 3 opened", 1, false},
       {"gap", "gap_mm", "gap [mm]", 1, true},
       {"contact-traction", "contact_traction_GPa", "contact traction [GPa]", 1, true}};
@@ -212,7 +216,7 @@ UnstructuredGrid gather_fields(const State<Dim>& state, const parallel::World& w
     while (!reader.empty()) {
       const auto head = reader.read<CellHead<Dim>>();
       reader.read(floats.data(), floats.size());
-      add_cell(grid, state.grid(), head.cell);
+      add_cell(grid, state.mesh.level_grid(head.level), head.cell);
       body.push_back(head.body);
       contact.push_back(static_cast<std::int32_t>(head.contact));
       const float* from = floats.data();

@@ -43,7 +43,7 @@ void LiftOffWatch<Dim>::note(const State<Dim>& state) {
     for (const Contact<Dim>& c : state.contacts[slot]) {
       const int lower = std::min(c.first, c.second), higher = std::max(c.first, c.second);
       Touched& t = touched_[{slot, pair_number(lower, higher, state.count())}];
-      if (t.time.empty()) t = {lower, higher, std::vector<double>(n, -1.0)};
+      if (t.time.empty()) t = {lower, higher, state.mesh.block(slot).at, std::vector<double>(n, -1.0)};
       t.time[c.cell] = state.time;
     }
 }
@@ -100,6 +100,36 @@ std::vector<typename LiftOffWatch<Dim>::Place> LiftOffWatch<Dim>::collect(const 
   std::vector<Place> places;
   for (const auto& [order, place] : found) places.push_back(place);
   return places;
+}
+
+template <int Dim>
+void LiftOffWatch<Dim>::follow_blocks(const State<Dim>& state, const parallel::World& world) {
+  std::map<std::pair<int, int>, Touched> here;
+  std::vector<std::pair<int, Touched>> elsewhere;
+  const auto sort_in = [&](int pair, Touched& t) {
+    const int slot = state.mesh.find(recoil::Place<Dim>{0, t.at});
+    if (slot < 0 || slot >= state.mesh.local()) return false;
+    here[{slot, pair}] = std::move(t);
+    return true;
+  };
+  for (auto& [key, touched] : touched_)
+    if (!sort_in(key.second, touched)) elsewhere.emplace_back(key.second, std::move(touched));
+  touched_ = std::move(here);
+  if (world.size() == 1 || !world.any(!elsewhere.empty())) return;
+  here = std::move(touched_);
+  parallel::Bytes bytes, all;
+  parallel::ArchiveWriter archive(bytes);
+  archive(elsewhere);
+  for (const parallel::Bytes& one : world.gather(bytes)) all.insert(all.end(), one.begin(), one.end());
+  world.broadcast(all);
+  parallel::Unpacker reader(all);
+  while (!reader.empty()) {
+    std::vector<std::pair<int, Touched>> some;
+    parallel::ArchiveReader reads(reader);
+    reads(some);
+    for (auto& [pair, touched] : some) sort_in(pair, touched);
+  }
+  touched_ = std::move(here);
 }
 
 template <int Dim>

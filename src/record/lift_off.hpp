@@ -34,6 +34,9 @@ class LiftOffWatch {
   /// in the order of the blocks.
   std::vector<Place> collect(const State<Dim>& state, const parallel::World& world);
 
+  /// After the blocks have changed: what is known of each goes where it is now. Where there are coarser cells
+  /// now, no surface is near. Collective.
+  void follow_blocks(const State<Dim>& state, const parallel::World& world);
   /// For checkpoints: what is known of one block, and the same back.
   void pack(int slot, parallel::Bytes& bytes) const;
   void unpack(int slot, parallel::Unpacker& from);
@@ -41,11 +44,12 @@ class LiftOffWatch {
  private:
   struct Touched {
     int lower = 0, higher = 0;  // bodies
+    Index<Dim> at;              // place of the block, of the finest level
     std::vector<double> time;   // s, of the last touch, by cell; -1: never
 
     template <class Archive>
     void transfer(Archive& a) {
-      a(lower, higher, time);
+      a(lower, higher, at.c, time);
     }
   };
   void scan(const State<Dim>& state, int slot, int pair, Touched& touched, parallel::Bytes& out) const;

@@ -34,6 +34,8 @@ class Recorder {
   /// After every advance() with the length that it returned [s]. @throws PhysicsError, on all processes,
   /// where the run has passed a limit that stops it: stopped() is true then, and finish() may follow.
   void after_step(const State<Dim>& state, double dt);
+  /// After regrid() has changed the mesh: what is kept for each block follows its block.
+  void after_regrid(const State<Dim>& state);
   /// The end: last records and fields, expectations, summary.json and status.json.
   Summary finish(const State<Dim>& state, const RunFacts& facts);
   /// For checkpoints: what belongs to no block, on rank 0, with everything written so far handed to the

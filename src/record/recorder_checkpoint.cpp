@@ -22,6 +22,11 @@ void Recorder<Dim>::pack_block(int slot, parallel::Bytes& bytes) const {
 }
 
 template <int Dim>
+void Recorder<Dim>::after_regrid(const State<Dim>& state) {
+  parts_->lift_off.follow_blocks(state, parts_->world);
+}
+
+template <int Dim>
 void Recorder<Dim>::unpack_block(int slot, parallel::Unpacker& from) {
   parts_->lift_off.unpack(slot, from);
 }
@@ -54,6 +59,7 @@ void Recorder<Dim>::stop(const State<Dim>& state) {
 #define RECOIL_INSTANTIATE(Dim)                                                \
   template void Recorder<Dim>::pack_whole(parallel::Bytes&);                   \
   template void Recorder<Dim>::pack_block(int, parallel::Bytes&) const;        \
+  template void Recorder<Dim>::after_regrid(const State<Dim>&);                \
   template void Recorder<Dim>::unpack_block(int, parallel::Unpacker&);         \
   template void Recorder<Dim>::resume(const State<Dim>&, parallel::Unpacker&); \
   template void Recorder<Dim>::stop(const State<Dim>&);

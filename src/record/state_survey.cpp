@@ -110,12 +110,12 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
                                     std::size_t k, Line& line) const {
   const Body<Dim>& body = state.bodies[m];
   const BodyBlock<Dim>& b = body.at(slot);
-  const double volume = b.volume[k], fill = volume / state.grid().full_volume(cell);
+  const double volume = b.volume[k], fill = volume / state.grid(slot).full_volume(cell);
   const auto note = [&](StateCheck check, double excess, double value, double bound) {
     if (excess <= 0) return;  // true for NaN as well: an error of its own
     Finding f;
     f.count = 1, f.first = f.last = f.time = state.time;
-    f.excess = excess, f.worst = value, f.bound = bound, f.cell = cell;
+    f.excess = excess, f.worst = value, f.bound = bound, f.cell = state.mesh.finest_index(slot, cell);
     merge(line.found[static_cast<std::size_t>(check)], f);
   };
   if (fill < judged_fill) return;
@@ -149,7 +149,7 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
 
 template <int Dim>
 void StateSurvey<Dim>::look_at_block(const State<Dim>& state, int slot, std::vector<Line>& lines) const {
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   std::vector<double> all(static_cast<std::size_t>(layout.size()), 0.0), most(all.size(), 0.0);
   std::vector<int> owner(all.size(), -1);
   for (int m = 0; m < state.count(); ++m) {
@@ -167,11 +167,12 @@ void StateSurvey<Dim>::look_at_block(const State<Dim>& state, int slot, std::vec
   }
   for_each(cells, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-    const double fill = all[k] / state.grid().full_volume(i);
+    const double fill = all[k] / state.grid(slot).full_volume(i);
     if (!(fill > most_fill_)) return;
     Finding f;
     f.count = 1, f.first = f.last = f.time = state.time;
-    f.excess = fill - most_fill_, f.worst = fill, f.bound = most_fill_, f.cell = i;
+    f.excess = fill - most_fill_, f.worst = fill, f.bound = most_fill_,
+    f.cell = state.mesh.finest_index(slot, i);
     merge(lines[owner[k]].found[static_cast<std::size_t>(StateCheck::overfilled)], f);
   });
 }

@@ -44,8 +44,9 @@ void note_averaged(AveragedStates& all, const State<Dim>& state, const Body<Dim>
   const auto& role = body.at(slot).role;
   for (std::size_t k = 0; k < role.size(); ++k) {
     if ((role[k] & has_bad_contents) == 0) continue;
-    const Index<Dim> i = state.mesh.block(slot).cells.lo + state.grid().layout().index(static_cast<int>(k));
-    const Vec<Dim> x = state.grid().centre(i);
+    const Index<Dim> i =
+        state.mesh.block(slot).cells.lo + state.grid(slot).layout().index(static_cast<int>(k));
+    const Vec<Dim> x = state.grid(slot).centre(i);
     for (int d = 0; d < Dim; ++d) line.place[d] = x[d];
     return;
   }

@@ -38,6 +38,7 @@ std::vector<std::pair<const char*, std::int64_t*>> Counters::list() {
           {"cleared-strains", &cleared_strains},
           {"clamped-damage", &clamped_damage},
           {"torn-states", &torn_states},
+          {"flat-refinements", &flat_refinements},
           {"faces-of-dust", &faces_of_dust},
           {"opened-cells", &opened_cells},
           {"restored-cells", &restored_cells}};

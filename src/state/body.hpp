@@ -54,6 +54,7 @@ struct BodyBlock {
   FieldArray<GhostCell<Dim>> ghosts{Field::ghosts};
   FieldArray<Update<Dim>> updates{Field::updates};
   FieldArray<double> contents_sum{Field::contents_sum};
+  FieldArray<double> rims{Field::rims};  // RimFluxes
 };
 
 template <int Dim>
@@ -78,7 +79,7 @@ struct Counters {
                widest_neighbourhoods = 0, unmerged_fragments = 0, lone_fragments_moved = 0, capped_speeds = 0,
                volume_bounds = 0, volume_bounds_left = 0, floored_sound_speeds = 0, contacts_lost = 0,
                opened_cells = 0, restored_cells = 0, torn_states = 0, faces_of_dust = 0, cleared_strains = 0,
-               clamped_damage = 0;
+               clamped_damage = 0, flat_refinements = 0;
 
   Counters& operator+=(const Counters& b);
   /// Name and count of each, in a fixed order.
@@ -157,7 +158,9 @@ struct State {
   double travel = 0;  // of surfaces since the last full redistancing [m]
   FieldSet stale{};   // fields that have changed since this process last got copies of others' blocks
 
+  /// The cells of the finest level, and of the level of a block.
   const Grid<Dim>& grid() const { return mesh.grid(); }
+  const Grid<Dim>& grid(int slot) const { return mesh.grid(slot); }
   int count() const { return static_cast<int>(bodies.size()); }
 };
 

@@ -73,8 +73,7 @@ constexpr auto field_declarations() {
       FieldDeclaration{Field::average, "average", &B::average, C::primitives, stage, cells, false,
                        R::finest_only, P::finest_only, false},
       FieldDeclaration<Dim, FieldArray<double>>{Field::stencil, "stencil", &B::stencil, C::primitives, stage,
-                                                cells, false, R::finest_only, P::finest_only, false,
-                                                Field::average},
+                                                cells, false, R::mean, P::linear, false, Field::average},
       FieldDeclaration{Field::role, "role", &B::role, 1, step, cells, false, R::finest_only, P::finest_only,
                        false},
       // Mid-step, with surfaces shared where bodies touch: what the stages use. After the step: what moves of
@@ -94,7 +93,10 @@ constexpr auto field_declarations() {
       // Sum over the stages of the classical Runge-Kutta rule; allocated by it.
       FieldDeclaration<Dim, FieldArray<double>>{Field::contents_sum, "contents_sum", &B::contents_sum,
                                                 C::contents, step, cells, false, R::finest_only,
-                                                P::finest_only, false, Field::count, true}};
+                                                P::finest_only, false, Field::count, true},
+      // Fluxes through the sides beyond which cells are coarser, of the last stage.
+      FieldDeclaration<Dim, FieldArray<double>>{Field::rims, "rims", &B::rims, 1, stage, rims, false,
+                                                R::finest_only, P::finest_only, false, Field::count, true}};
 }
 
 /// Calls f(declaration) for every field.

@@ -51,18 +51,24 @@ void move_walls(StepRun<Dim>& step, double dt, const Stage& stage) {
 
 template <int Dim>
 void update_matter(StepRun<Dim>& step, double dt, const Stage& stage) {
-  static constexpr FieldAccess access{"update matter", stencil | role, geometry | walls, contents | volume};
+  static constexpr FieldAccess access{"update matter", stencil | role, geometry | walls,
+                                      contents | volume | rims},
+      coarser{"update coarser matter", stencil | role | rims, geometry | walls, contents | volume | rims};
   State<Dim>& state = step.state();
-  step.for_each_slot(StepPhase::flux, access, [&](int slot, Scratch& scratch) {
-    for (int m = 0; m < state.count(); ++m) {
-      Body<Dim>& body = state.bodies[m];
-      if (body.rigid || !body.present(slot)) continue;
-      const Scratch::Frame frame(scratch);
-      auto& ledger = state.ledger[slot];
-      update_block(state, body, slot, stage.faces, dt, stage.weight, ledger.edges[m], ledger.counters,
-                   scratch);
-    }
-  });
+  step.fill_stand_ins(stencil);
+  // A block takes its fluxes beside finer ones from those.
+  for (int level = 0; level < state.mesh.levels(); ++level)
+    step.for_each_slot_of(level, StepPhase::flux, level == 0 ? access : coarser,
+                          [&](int slot, Scratch& scratch) {
+                            for (int m = 0; m < state.count(); ++m) {
+                              Body<Dim>& body = state.bodies[m];
+                              if (body.rigid || !body.present(slot)) continue;
+                              const Scratch::Frame frame(scratch);
+                              auto& ledger = state.ledger[slot];
+                              update_block(state, body, slot, stage.faces, dt, stage.weight, ledger.edges[m],
+                                           ledger.counters, scratch);
+                            }
+                          });
 }
 
 template <int Dim>
@@ -147,7 +153,7 @@ void restore_level_sets(StepRun<Dim>& step) {
   if (std::none_of(state.bodies.begin(), state.bodies.end(), fails)) return;
   std::vector<std::uint8_t> any(static_cast<std::size_t>(state.mesh.local()), 0);
   step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch&) {
-    if (!fails(body)) return;
+    if (!fails(body) || state.mesh.block(slot).level > 0) return;
     const std::int64_t count = restore_level_set(state, body, slot);
     step.counters(slot).restored_cells += count;
     if (count > 0) any[slot] = 1;
@@ -165,14 +171,15 @@ void open_voids(StepRun<Dim>& step) {
   if (std::none_of(state.bodies.begin(), state.bodies.end(), fails)) return;
   std::vector<std::uint8_t> any(static_cast<std::size_t>(state.mesh.local()), 0);
   step.for_each_body(StepPhase::moves, mark, [&](Body<Dim>& body, int slot, Scratch&) {
-    if (fails(body) && mark_open(state, body, slot)) any[slot] = 1;
+    if (fails(body) && state.mesh.block(slot).level == 0 && mark_open(state, body, slot)) any[slot] = 1;
   });
   if (!step.engine().world.any(std::count(any.begin(), any.end(), 1) > 0)) return;
   step.for_each_body(StepPhase::moves, open, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     BodyBlock<Dim>& b = body.at(slot);
     b.phi_next = b.phi;
     b.updates.clear();
-    if (fails(body)) step.counters(slot).opened_cells += open_voids(state, body, slot, scratch);
+    if (fails(body) && state.mesh.block(slot).level == 0)
+      step.counters(slot).opened_cells += open_voids(state, body, slot, scratch);
   });
   apply_updates(step, StepPhase::moves);
   swap_phi(step);

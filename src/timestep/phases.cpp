@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "core/error.hpp"
@@ -44,6 +45,18 @@ void place_rigid_bodies(StepRun<Dim>& step, double ahead, PhiAt where) {
     for (int slot = 0; slot < state.mesh.local(); ++slot)
       if (body.rigid && body.present(slot)) place_rigid(state, body, slot, ahead, where);
   step.has_changed(where == PhiAt::midstep ? phi_midstep : phi);
+}
+
+/// Averages are taken among cells of one size only.
+template <int Dim>
+[[noreturn]] void refuse_between_levels(const State<Dim>& state, const Body<Dim>& body, int slot) {
+  const Vec<Dim> x = state.grid(slot).centre(state.mesh.block(slot).cells.lo);
+  std::string at;
+  for (int d = 0; d < Dim; ++d) at += fmt::format("{}{:.4g}", d > 0 ? ", " : "", x[d] * 1e3);
+  throw PhysicsError(fmt::format(
+      "a state of {} is beyond its equation of state beside cells of another size, in the block at "
+      "({}) mm, {:.6g} us; a box of finest cells there (mesh.refine) or a lower mesh.bend helps",
+      body.name, at, state.time * 1e6));
 }
 
 template <int Dim>
@@ -169,6 +182,7 @@ void average_inadmissible_states(StepRun<Dim>& step) {
     step.for_each_body(part, mark, [&](Body<Dim>& body, int slot, Scratch&) {
       const std::int64_t marked = mark_inadmissible(step.state(), body, slot, step.counters(slot));
       if (marked == 0) return;
+      if (!step.state().mesh.is_among_equals(slot)) refuse_between_levels(step.state(), body, slot);
       step.counters(slot).averaged_states += marked;
       note_averaged(step.engine().averaged, step.state(), body, slot, marked);
     });
@@ -266,6 +280,7 @@ template <int Dim>
 void update_bands(StepRun<Dim>& step) {
   State<Dim>& state = step.state();
   step.update_copies(phi);
+  step.fill_stand_ins(phi);
   {
     const Timers<StepPhase>::Span span(step.engine().timers, StepPhase::band);
     std::vector<int> all(static_cast<std::size_t>(state.mesh.local()));
@@ -287,6 +302,7 @@ void update_bands(StepRun<Dim>& step) {
   }
   step.exchange(
       fields_where<Dim>([](const auto& d) { return d.lifetime == Lifetime::run && d.in_field_files; }));
+  step.fill_stand_ins(contents | volume | phi);
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                               \

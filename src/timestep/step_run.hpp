@@ -29,9 +29,14 @@ class StepRun {
   /// f(slot, scratch) for every block that holds a deformable body.
   template <class F>
   void for_each_slot(StepPhase part, const FieldAccess& access, F&& f);
+  /// The same for those of one level.
+  template <class F>
+  void for_each_slot_of(int level, StepPhase part, const FieldAccess& access, F&& f);
   /// f(body, slot, scratch) for every deformable body in every block that it is in.
   template <class F>
   void for_each_body(StepPhase part, const FieldAccess& access, F&& f);
+  /// Gives the stand-ins of blocks of other levels their values, after their copies were brought up to date.
+  void fill_stand_ins(FieldSet fields);
   /// Brings copies of other processes' blocks up to date, as far as they are not. Collective.
   void update_copies(FieldSet fields);
   /// The same for all of these, and for which blocks the bodies are in. Collective.
@@ -40,17 +45,33 @@ class StepRun {
   void has_changed(FieldSet fields) { state_.stale = state_.stale | fields; }
 
  private:
+  template <class F>
+  void run(const std::vector<int>& slots, StepPhase part, const FieldAccess& access, F&& f);
+
   State<Dim>& state_;
   Engine& engine_;
   std::vector<int> blocks_;
+  std::vector<std::vector<int>> by_level_;  // the same
 };
 
 template <int Dim>
 template <class F>
 void StepRun<Dim>::for_each_slot(StepPhase part, const FieldAccess& access, F&& f) {
+  run(blocks_, part, access, f);
+}
+
+template <int Dim>
+template <class F>
+void StepRun<Dim>::for_each_slot_of(int level, StepPhase part, const FieldAccess& access, F&& f) {
+  run(by_level_[level], part, access, f);
+}
+
+template <int Dim>
+template <class F>
+void StepRun<Dim>::run(const std::vector<int>& slots, StepPhase part, const FieldAccess& access, F&& f) {
   update_copies(access.around);
   const Timers<StepPhase>::Span span(engine_.timers, part);
-  parallel::for_each_block(engine_.team, blocks_, [&](int slot, Scratch& scratch) {
+  parallel::for_each_block(engine_.team, slots, [&](int slot, Scratch& scratch) {
     const FieldGuard<Dim> guard(state_, slot, access);
     f(slot, scratch);
   });

@@ -96,6 +96,10 @@ void print_report(const Report& r) {
       "  memory {:.3g} MB, time about {} with one thread\n",
       r.cost.cells, r.cost.material_cells, r.cost.steps, r.cost.step * 1e9, r.cost.memory * 1e-6,
       duration(r.cost.seconds));
+  if (c.mesh.levels > 1)
+    fmt::print(
+        "  {} levels: {:.3g} cells at the start, to which memory and time apply; waves and new surfaces add some\n",
+        c.mesh.levels, r.cost.start_cells);
 }
 
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(); }
@@ -162,6 +166,7 @@ Json report_json(const Report& r) {
   j["touches"] = Json::array();
   for (const TouchPrediction& p : r.touches) j["touches"].push_back(touch_json(p, r.loaded.contents));
   j["cost"] = {{"cells", r.cost.cells},         {"material_cells", r.cost.material_cells},
+               {"start_cells", r.cost.start_cells},
                {"cut_cells", r.cost.cut_cells}, {"step", r.cost.step},
                {"steps", r.cost.steps},         {"memory", r.cost.memory},
                {"seconds", r.cost.seconds}};

@@ -82,7 +82,13 @@ Estimate make_estimate(const config::Case& c, const std::vector<Material>& mater
   }
   e.step = c.time.fixed_dt ? *c.time.fixed_dt : c.time.cfl * c.mesh.finest / fastest;
   e.steps = std::ceil(c.time.end / e.step);
-  e.memory = 50e6 + e.material_cells * bytes_of_cell(Dim);
+  double held = e.material_cells;
+  if (c.mesh.levels > 1) {
+    for (const double n : cells_at_start<Dim>(c)) e.start_cells += n;
+    held = std::min(held, e.start_cells);
+    each_step *= held / e.material_cells;
+  }
+  e.memory = 50e6 + held * bytes_of_cell(Dim);
   e.seconds = e.steps * each_step * (c.method.stages == "one" ? one_stage : 1);
   return e;
 }

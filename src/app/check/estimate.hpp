@@ -14,12 +14,13 @@ std::vector<double> cells_of_bodies(const config::Case& c);
 /// What a run will take, before it starts.
 struct Estimate {
   double cells = 0;           // of the domain
-  double material_cells = 0;  // of all bodies
+  double material_cells = 0;  // of all bodies, if all were the finest
+  double start_cells = 0;     // of a mesh of several levels, at the start, with matter around
   double cut_cells = 0;       // of all bodies
   double step = 0;            // s
   double steps = 0;
-  double memory = 0;   // bytes
-  double seconds = 0;  // of wall time with one thread
+  double memory = 0;   // bytes; of a mesh of several levels at the start
+  double seconds = 0;  // of wall time with one thread; of several levels, if it stayed as at the start
 };
 
 /// @param materials one for each body. @param fastest largest sum over the axes of |u| + c_L to be expected

@@ -75,6 +75,16 @@ void tell_timers(Reporter& reporter, const Timers<StepPhase>& timers, double wal
   }
 }
 
+template <int Dim>
+Refinement<Dim> refinement(const config::Case& c) {
+  Refinement<Dim> rules{c.mesh.bend, c.mesh.every, {}};
+  for (const config::Region& from : c.regions) {
+    auto& region = rules.regions.emplace_back();
+    for (int d = 0; d < Dim; ++d) region.lo[d] = from.lo[d], region.hi[d] = from.hi[d];
+  }
+  return rules;
+}
+
 }  // namespace
 
 /// Processor time of all processes and threads since a reading of the clock.
@@ -96,6 +106,7 @@ Simulation<Dim>::Simulation(const LoadedCase& loaded, const SimulationOptions& o
       engine_{world, team_, {}},
       state_(make_state<Dim>(case_, loaded.materials, world)),
       scheme_(scheme_of<Dim>(case_.method.scheme)),
+      refinement_(refinement<Dim>(case_)),
       checkpoint_due_(case_.output.checkpoint.every),
       cells_(cells_with_matter(case_)),
       begun_(std::chrono::steady_clock::now()),
@@ -106,6 +117,7 @@ Simulation<Dim>::Simulation(const LoadedCase& loaded, const SimulationOptions& o
   recorder_.emplace(case_, state_, world, options.folder, &team_);
   if (options.checkpoint.empty()) {
     scheme_.prepare(state_, engine_);
+    regrid(state_, engine_, refinement_);
     recorder_->begin(state_);
   } else {
     read_checkpoint(BlockFile(options.checkpoint), state_, engine_.averaged, *recorder_, world);
@@ -144,6 +156,7 @@ void Simulation<Dim>::advance() {
   const Stepping stepping{case_.time.cfl, case_.time.fixed_dt, case_.method.kappa,
                           case_.method.stages == "one" ? StepStages::one : StepStages::three};
   try {
+    if (regrid(state_, engine_, refinement_)) recorder_->after_regrid(state_);
     dt_ = scheme_.advance(state_, stepping, case_.time.end, engine_);
     recorder_->after_step(state_, dt_);
   } catch (const PhysicsError& e) {

@@ -14,6 +14,7 @@
 #include "parallel/team.hpp"
 #include "parallel/world.hpp"
 #include "record/recorder.hpp"
+#include "timestep/regrid.hpp"
 #include "timestep/schemes.hpp"
 
 namespace recoil::app {
@@ -65,6 +66,7 @@ class Simulation {
   Engine engine_;
   State<Dim> state_;
   Scheme<Dim> scheme_;
+  Refinement<Dim> refinement_;
   std::optional<Recorder<Dim>> recorder_;
   Due checkpoint_due_;
   double dt_ = 0, cells_ = 0, saved_at_ = 0;  // s, cells with matter, s of wall time

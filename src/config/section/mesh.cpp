@@ -4,9 +4,37 @@
 
 #include <cstddef>
 
+#include "config/declare/read_struct.hpp"
 #include "config/declare/reading.hpp"
 
 namespace recoil::config {
+
+Entries<Region> Region::keys() {
+  const auto extent = [](const char* axis, const char* doc) {
+    return Entry<Region>{.name = axis,
+                         .member = Extents<Region>{&Region::lo, &Region::hi},
+                         .unit = "m",
+                         .doc = doc,
+                         .example = R"(["0 mm", "10 mm"])"};
+  };
+  using enum Geometry;
+  std::vector<Entry<Region>> all{extent("x", "from, to"), extent("y", "from, to"), extent("r", "from, to"),
+                                 extent("z", "from, to")};
+  all[0].only_in = {line, planar, space};
+  all[1].only_in = {planar, space};
+  all[2].only_in = {axisymmetric};
+  all[3].only_in = {axisymmetric, space};
+  return all;
+}
+
+void read_regions(const Node& table, std::vector<Region>& regions, CaseReading& in) {
+  for (const Node& node : table.children) {
+    if (!check_is_table(node, "refine", in.out) || !check_name(node, "refine", in.out)) continue;
+    Region& region = regions.emplace_back();
+    region.name = node.key;
+    read_struct(node, region, in);
+  }
+}
 
 void MeshChoice::check(const TableReading& reading) const {
   const CaseReading& in = reading.in;

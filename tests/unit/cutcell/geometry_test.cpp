@@ -36,7 +36,7 @@ template <int Dim>
 const CutCell<Dim>* cut_at(const State<Dim>& state, int body, const Index<Dim>& i) {
   Index<Dim> at;
   for (int d = 0; d < Dim; ++d) at[d] = i[d] / state.grid().block[d];
-  const int slot = state.mesh.find(at);
+  const int slot = state.mesh.find(Place<Dim>{0, at});
   const auto& g = state.bodies[body].at(slot).geometry;
   const int k = g.index[state.grid().layout().at(i - state.mesh.block(slot).cells.lo)];
   return k < 0 ? nullptr : &g.cuts[k];

@@ -78,7 +78,7 @@ struct Data {
     Index<Dim> at;
     for (int d = 0; d < Dim; ++d) at[d] = e.cell[d] / grid.block[d];
     const bool hidden = (beyond == Beyond::nothing && e.outside) || (beyond == Beyond::mirror && e.open);
-    if (hidden || mesh.find(at) == absent) return missing;
+    if (hidden || mesh.find(Place<Dim>{0, at}) == absent) return missing;
     const double v = value_of(grid.domain().at(e.cell));
     return __builtin_popcount(e.flips & odd) % 2 == 1 ? -v : v;
   }

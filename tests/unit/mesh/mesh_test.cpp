@@ -51,13 +51,13 @@ TYPED_TEST(Meshes, BlocksTileTheDomain) {
   for (int s = 0; s < mesh.local(); ++s) {
     const auto& block = mesh.block(s);
     EXPECT_EQ(block.order, s);
-    EXPECT_EQ(mesh.find(block.at), s);
+    EXPECT_EQ(mesh.find(block.place()), s);
     for_each(block.cells, [&](const Index<dim>& i) { ++covered[domain.at(i)]; });
   }
   EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), domain.size());
   Index<dim> beyond;
   beyond[0] = -1;
-  EXPECT_EQ(mesh.find(beyond), -1);
+  EXPECT_EQ(mesh.find(Place<dim>{0, beyond}), -1);
 }
 
 TYPED_TEST(Meshes, NeighboursAreRight) {
@@ -90,8 +90,8 @@ TYPED_TEST(Meshes, MixedEdgesWrapOnlyThePeriodicAxis) {
   high[dim - 1] = 2;
   low[dim - 1] = -1;
   left[0] = -1;
-  const auto& corner = mesh.block(mesh.find({}));
-  EXPECT_EQ(corner.neighbour[around<dim>().at(low)], mesh.find(high));
+  const auto& corner = mesh.block(mesh.find(Place<dim>{}));
+  EXPECT_EQ(corner.neighbour[around<dim>().at(low)], mesh.find(Place<dim>{0, high}));
   EXPECT_EQ(corner.neighbour[around<dim>().at(left)], -1);
 }
 

@@ -48,9 +48,11 @@ struct TestRun {
   /// Sums of the contents of a body, block by block.
   std::vector<double> totals(int m) const {
     std::vector<double> sum(C::contents);
-    for (const auto& b : state.bodies[m].blocks)
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      const auto& b = state.bodies[m].at(s);
       for (std::size_t k = 0; k < b.volume.size(); ++k)
         for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += b.contents[c * b.volume.size() + k];
+    }
     return sum;
   }
   /// What a body has received from the others and through the edges since the start.
