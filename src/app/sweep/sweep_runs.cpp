@@ -35,12 +35,9 @@ SweepRuns::SweepRuns(fs::path case_file, fs::path folder, SweepQuestion question
       case_folder_(case_file_.parent_path()) {}
 
 std::size_t SweepRuns::add(const std::vector<SweptKey>& keys, const std::vector<std::string>& values) {
-  std::vector<std::string> changes, varying;
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    changes.push_back(keys[k].key + "=" + values[k]);
-    if (keys[k].is_range || keys[k].values.size() > 1) varying.push_back(changes.back());
-  }
-  std::string name = folder_name(varying);
+  std::vector<std::string> changes;
+  for (std::size_t k = 0; k < keys.size(); ++k) changes.push_back(keys[k].key + "=" + values[k]);
+  std::string name = folder_name(changes);
   while (!names_.insert(name).second) name += '_';  // values that differ in signs only
   runs_.push_back(checked_run(case_file_, changes, folder_ / name));
   values_.push_back(values);

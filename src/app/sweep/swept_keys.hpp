@@ -34,7 +34,7 @@ std::vector<Combination> combinations_of(const std::vector<SweptKey>& keys);
 /// The changes of the case: PATH=VALUE for every key.
 std::vector<std::string> changes_of(const std::vector<SweptKey>& keys, const Combination& at);
 
-/// A name for the folder of a run, from the keys with several values: "body.flyer.velocity.x=300m_s".
+/// A name for the folder of a run, from all that is set: "body.flyer.velocity.x=300m_s".
 /// @param changes PATH=VALUE.
 std::string folder_name(const std::vector<std::string>& changes);
 
