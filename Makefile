@@ -79,6 +79,8 @@ docs: build
 	@mkdir -p docs/reference
 	$(STEP) "Reference of the case file" \
 	  sh -c '$(RELEASE)/recoil schema --markdown > docs/reference/case.md'
+	$(STEP) "Reference of the commands" \
+	  sh -c '$(RELEASE)/recoil commands > docs/reference/commands.md'
 	$(STEP) "Schema of the case file, for editors" \
 	  sh -c '$(RELEASE)/recoil schema > docs/reference/recoil-case-1.schema.json'
 

@@ -13,6 +13,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/data_folder.hpp"
+#include "app/launch.hpp"
 #include "app/machine.hpp"
 #include "app/report/page_bundle.hpp"
 #include "core/build_info.hpp"
@@ -34,19 +35,6 @@ struct Finding {
 
 std::string gigabytes(double bytes) {
   return std::isfinite(bytes) ? fmt::format("{:.1f} GB", bytes * 1e-9) : "not known";
-}
-
-/// The file of a program on PATH; empty: there is none.
-std::string on_path(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  const std::string all = path ? path : "";
-  for (std::size_t at = 0; at <= all.size();) {
-    const std::size_t end = std::min(all.find(':', at), all.size());
-    const fs::path file = fs::path(all.substr(at, end - at)) / name;
-    if (access(file.c_str(), X_OK) == 0) return file.string();
-    at = end + 1;
-  }
-  return "";
 }
 
 Finding data() {
@@ -115,6 +103,12 @@ Finding report_page() {
           there ? "" : "install Debian's nodejs and npm and build again"};
 }
 
+Finding movies() {
+  const std::string file = on_path("img2webp");
+  return {"movies", file.empty() ? "no img2webp" : file,
+          file.empty() ? "`recoil movie` needs it for .webp: install Debian's webp" : ""};
+}
+
 }  // namespace
 
 int doctor() {
@@ -122,7 +116,8 @@ int doctor() {
   bool fails = false;
   fmt::print("ok    {:<11} {} ({}, {}{})\n", "recoil", version, describe, build_type,
              native ? ", native" : "");
-  for (const Finding& f : {data(), processors(), memory(), disk(), mpi(), hdf5(), locale(), report_page()}) {
+  for (const Finding& f :
+       {data(), processors(), memory(), disk(), mpi(), hdf5(), locale(), report_page(), movies()}) {
     fmt::print("{:<5} {:<11} {}\n", f.fails ? "FAIL" : f.cure.empty() ? "ok" : "warn", f.what, f.text);
     if (!f.cure.empty()) fmt::print("                  = help: {}\n", f.cure);
     fails = fails || f.fails;

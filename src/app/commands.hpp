@@ -65,6 +65,14 @@ struct PlotOptions {
 };
 int plot(const PlotOptions& options);
 
+struct MovieOptions {
+  PlotOptions plot;      // of a field; its file is not used
+  std::string file;      // .webp, .apng, .mp4, or .png for numbered pictures; empty: FIELD.webp in the folder
+  std::string from, to;  // times; empty: of the first and the last fields
+  double rate = 10;      // pictures a second
+};
+int movie(const MovieOptions& options);
+
 struct ReportOptions {
   std::vector<std::string> folders;  // of runs
   std::string file;                  // the page; empty: report.html, of one run in its folder
@@ -74,12 +82,24 @@ int report(const ReportOptions& options);
 
 struct StudyOptions {
   std::string file;
-  std::vector<std::string> sizes;    // of cells
-  std::vector<std::string> offsets;  // of the mesh, in cells
+  std::vector<std::string> sizes;       // of cells
+  std::vector<std::string> offsets;     // of the mesh, in cells
+  std::vector<std::string> quantities;  // none: those that the case expects, or the peaks of its gauges
   std::vector<std::string> overrides;
   std::string folder;
 };
 int study(const StudyOptions& options);
+
+struct SweepOptions {
+  std::string file;
+  std::vector<std::string> sets;        // KEY=V1,V2,..., KEY=FROM:TO:N or KEY=FROM:TO
+  std::vector<std::string> quantities;  // none: all that a run has
+  std::string find;                     // a condition, whose threshold is searched for; empty: none
+  std::string within;                   // half width of the interval that is left; empty: 1 % of the range
+  int jobs = 0;                         // runs at a time; 0: as many as there are processors
+  std::string folder;
+};
+int sweep(const SweepOptions& options);
 
 struct VerifyOptions {
   std::vector<std::string> cases;      // none: all shipped ones

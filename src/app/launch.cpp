@@ -5,10 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -63,9 +65,7 @@ void become_mpirun(int ranks, const std::vector<std::string>& arguments) {
       fmt::format("cannot start mpirun: {}\n   = help: install Open MPI, or omit -n", std::strerror(errno)));
 }
 
-int run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
-  std::vector<std::string> words{program_file().string()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+int run_program(std::vector<std::string> words, const std::filesystem::path& log) {
   const std::vector<char*> pointers = pointers_to(words);
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file < 0)
@@ -74,7 +74,7 @@ int run_child(const std::vector<std::string>& arguments, const std::filesystem::
   if (child == 0) {
     dup2(file, STDOUT_FILENO);
     dup2(file, STDERR_FILENO);
-    execv(pointers[0], pointers.data());
+    execvp(pointers[0], pointers.data());
     _exit(127);
   }
   close(file);
@@ -84,6 +84,24 @@ int run_child(const std::vector<std::string>& arguments, const std::filesystem::
   if (child < 0 || !WIFEXITED(status) || WEXITSTATUS(status) == 127)
     throw EnvironmentError(fmt::format("{} failed; see {}", words[0], log.string()));
   return WEXITSTATUS(status);
+}
+
+int run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
+  std::vector<std::string> words{program_file().string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_program(std::move(words), log);
+}
+
+std::string on_path(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  const std::string all = path ? path : "";
+  for (std::size_t at = 0; at <= all.size();) {
+    const std::size_t end = std::min(all.find(':', at), all.size());
+    const std::filesystem::path file = std::filesystem::path(all.substr(at, end - at)) / name;
+    if (access(file.c_str(), X_OK) == 0) return file.string();
+    at = end + 1;
+  }
+  return "";
 }
 
 }  // namespace recoil::app

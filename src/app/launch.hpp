@@ -28,4 +28,10 @@ void prepare_mpi_environment();
 /// @returns its exit code. @throws EnvironmentError where it cannot be started.
 int run_child(const std::vector<std::string>& arguments, const std::filesystem::path& log);
 
+/// Runs any program, found on PATH: its name and its arguments. Otherwise the same.
+int run_program(std::vector<std::string> words, const std::filesystem::path& log);
+
+/// The file of a program on PATH; empty: there is none.
+std::string on_path(const std::string& name);
+
 }  // namespace recoil::app

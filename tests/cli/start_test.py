@@ -68,7 +68,7 @@ class Start(Program):
         self.expect(good, 0, "processors", "memory", "HDF5", "a field file was written and read")
         self.assertNotIn("FAIL", good.stdout)
         bare = os.environ | {"PATH": "/nowhere", "LC_ALL": "C"}
-        self.expect(recoil("doctor", env=bare), 0, "no mpirun", "openmpi-bin", "LC_ALL=C.UTF-8")
+        self.expect(recoil("doctor", env=bare), 0, "no mpirun", "openmpi-bin", "LC_ALL=C.UTF-8", "no img2webp")
         lost = os.environ | {"RECOIL_DATA": str(self.folder)}
         self.expect(recoil("doctor", env=lost), 4, "FAIL  data", "set RECOIL_DATA")
 

@@ -37,6 +37,25 @@ class Study(Program):
                     "rear_velocity.png")
         self.assertEqual((self.folder / "study" / "rear_velocity.png").read_bytes()[:4], b"\x89PNG")
 
+    def test_any_quantity_without_expectations(self):
+        words = ["study", self.case(), "--mesh", "0.8mm,0.4mm,0.2mm", "--set", "time.end=1us", "-o", self.folder / "study"]
+        self.expect(recoil(*words, "--quantity", "body.flyer.velocity.x", "--quantity", "contact.flyer-target.opens"), 0,
+                    "| body.flyer.velocity.x [m/s] | - |", "contact.flyer-target.opens [us]", "| extrapolated |")
+        with open(self.folder / "study" / "study.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 6)
+        opens = [float(row["value"]) for row in rows if row["unit"] == "us"]
+        self.assertTrue(all(0.5 < t < 1 for t in opens), opens)
+        self.expect(recoil(*words[:3], "0.4mm", *words[4:]), 0, "gauge.rear.velocity.peak [m/s]", "gauge.impact.traction.peak [GPa]")
+        self.expect(recoil(*words, "--quantity", "gauge.raer.velocity.max"), 2, "did you mean 'rear'?", "--quantity:1:1")
+
+    def test_nothing_to_tabulate(self):
+        case = self.folder / "bare.toml"
+        text = self.case().read_text()
+        case.write_text("[gauge".join(text.split("[gauge")[:1]))
+        self.expect(recoil("study", case, "--mesh", "0.4mm", "-o", self.folder / "study"), 2, "nothing to tabulate", "--quantity")
+        self.assertFalse((self.folder / "study").exists())
+
     def test_mistakes_come_before_the_first_run(self):
         self.expect(recoil("study", self.case(), "--mesh", "0.2mm,fine", "-o", self.folder / "study"), 2, "fine")
         self.assertFalse((self.folder / "study").exists())

@@ -77,6 +77,9 @@ class Reference(unittest.TestCase):
     def test_reference_page(self):
         self.check_file("case.md", "schema", "--markdown")
 
+    def test_page_of_commands(self):
+        self.check_file("commands.md", "commands")
+
     def test_schema(self):
         self.check_file("recoil-case-1.schema.json", "schema")
 

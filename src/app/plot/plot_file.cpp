@@ -55,7 +55,7 @@ Limits limits_of(const PlotOptions& o, const std::string& label) {
 std::optional<std::pair<double, double>> range_of(const PlotOptions& o, const std::string& label,
                                                   double lowest_value, double highest_value) {
   const Limits limits = limits_of(o, label);
-  if (o.log && !(highest_value > 0))
+  if (o.log && !(highest_value > 0) && !(limits.lowest && limits.highest))
     throw InputError("--log needs positive values, and there are none\n   = help: omit it");
   if (!limits.lowest && !limits.highest) return std::nullopt;
   const double highest = limits.highest.value_or(highest_value);
@@ -68,7 +68,7 @@ std::optional<std::pair<double, double>> range_of(const PlotOptions& o, const st
   return std::pair{lowest, highest};
 }
 
-int save_chart(const PlotOptions& o, LineChart chart, const std::string& name) {
+Canvas chart_canvas(const PlotOptions& o, LineChart chart) {
   Range values;
   for (const Series& s : chart.series)
     for (const double y : s.y) values.include(y, o.log);
@@ -77,7 +77,11 @@ int save_chart(const PlotOptions& o, LineChart chart, const std::string& name) {
   if (!o.title.empty()) chart.title = o.title;
   if (o.width > 0) chart.width = o.width;
   if (o.height > 0) chart.height = o.height;
-  return save_picture(o, line_chart(chart), name);
+  return line_chart(chart);
+}
+
+int save_chart(const PlotOptions& o, LineChart chart, const std::string& name) {
+  return save_picture(o, chart_canvas(o, std::move(chart)), name);
 }
 
 int save_picture(const PlotOptions& o, const Canvas& canvas, const std::string& name) {

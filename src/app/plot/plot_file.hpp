@@ -27,7 +27,10 @@ Limits limits_of(const PlotOptions& options, const std::string& label);
 std::optional<std::pair<double, double>> range_of(const PlotOptions& options, const std::string& label,
                                                   double lowest_value, double highest_value);
 
-/// Puts the options' title, size, limits and scale on the chart and writes it. @param name of the file
+/// The chart with the options' title, size, limits and scale.
+Canvas chart_canvas(const PlotOptions& options, LineChart chart);
+
+/// Writes that chart. @param name of the file
 /// without suffix in the folder of the run, where the options name none. @returns the exit code.
 int save_chart(const PlotOptions& options, LineChart chart, const std::string& name);
 

@@ -13,6 +13,7 @@
 #include "app/check/estimate.hpp"
 #include "app/command_line.hpp"
 #include "app/run/checkpoint_folder.hpp"
+#include "app/run/run_quantities.hpp"
 #include "app/run/stop_request.hpp"
 #include "app/run/verdict.hpp"
 #include "core/build_info.hpp"
@@ -210,6 +211,7 @@ Summary Simulation<Dim>::finish() {
   if (summary.exit == exit_numerical_failure)
     throw PhysicsError(fmt::format("the run has come to its end, but must not be trusted: see {}",
                                    (options_.folder / "summary.json").string()));
+  write_quantities(options_.folder / "quantities.csv", case_, state_, summary, world_, team_);
   return summary;
 }
 

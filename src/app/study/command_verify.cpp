@@ -1,17 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <mutex>
-#include <sstream>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -22,6 +18,7 @@
 #include "app/launch.hpp"
 #include "app/load_case.hpp"
 #include "app/run/resolved_case.hpp"
+#include "app/study/child_runs.hpp"
 #include "app/study/verify_table.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
@@ -102,10 +99,7 @@ std::vector<Work> choose(const VerifyOptions& o) {
 
 /// Whether the folder holds a finished run of exactly this case.
 bool is_done(const fs::path& folder, const Work& w) {
-  std::ifstream file(folder / "case.resolved.toml");
-  std::stringstream text;
-  text << file.rdbuf();
-  return file && text.str() == w.resolved && read_verified(folder).problem.empty();
+  return is_of_case(folder, w.resolved) && read_verified(folder).problem.empty();
 }
 
 VerifiedCase run_one(const Work& w, const fs::path& folder, const VerifyOptions& o) {
@@ -135,35 +129,26 @@ std::vector<VerifiedCase> run_all(const std::vector<Work>& work, const fs::path&
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return work[a].seconds > work[b].seconds; });
   std::vector<VerifiedCase> results(work.size());
-  std::atomic<std::size_t> next{0};
   std::size_t finished = 0;
   std::mutex speaking;
-  const auto labour = [&] {
-    for (std::size_t k = next++; k < order.size(); k = next++) {
-      VerifiedCase c;
-      const Work& w = work[order[k]];
-      try {
-        c = run_one(w, folder, o);
-      } catch (const std::exception& e) {
-        c.name = w.name, c.title = w.title, c.problem = e.what(), c.exit_code = exit_environment;
-      }
-      const std::lock_guard lock(speaking);
-      const std::string verdict = !c.problem.empty() ? c.problem
-                                  : c.failures() == 0
-                                      ? fmt::format("all {} met", c.values.size())
-                                      : fmt::format("{} of {} FAILED", c.failures(), c.values.size());
-      fmt::print("[{}/{}] {}: {}{}, {:.3g} s of processor time\n", ++finished, work.size(), c.name, verdict,
-                 c.doubts.empty() ? "" : ", doubtful", c.cpu_s);
-      std::fflush(stdout);
-      results[order[k]] = std::move(c);
+  share_work(order.size(), o.jobs, [&](std::size_t k) {
+    VerifiedCase c;
+    const Work& w = work[order[k]];
+    try {
+      c = run_one(w, folder, o);
+    } catch (const std::exception& e) {
+      c.name = w.name, c.title = w.title, c.problem = e.what(), c.exit_code = exit_environment;
     }
-  };
-  const auto processors = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t jobs = std::min(work.size(), o.jobs > 0 ? static_cast<std::size_t>(o.jobs) : processors);
-  std::vector<std::jthread> team;
-  for (std::size_t k = 1; k < jobs; ++k) team.emplace_back(labour);
-  labour();
-  team.clear();  // joins
+    const std::lock_guard lock(speaking);
+    const std::string verdict = !c.problem.empty() ? c.problem
+                                : c.failures() == 0
+                                    ? fmt::format("all {} met", c.values.size())
+                                    : fmt::format("{} of {} FAILED", c.failures(), c.values.size());
+    fmt::print("[{}/{}] {}: {}{}, {:.3g} s of processor time\n", ++finished, work.size(), c.name, verdict,
+               c.doubts.empty() ? "" : ", doubtful", c.cpu_s);
+    std::fflush(stdout);
+    results[order[k]] = std::move(c);
+  });
   return results;
 }
 
@@ -185,10 +170,7 @@ int verify(const VerifyOptions& o) {
   if (o.list) return list_cases();
   const std::vector<Work> work = choose(o);
   const fs::path folder = o.folder.empty() ? fs::path("runs/verify") : fs::path(o.folder);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw EnvironmentError(fmt::format("cannot create the folder {}: {}", folder.string(), error.message()));
+  make_folder(folder);
   const std::vector<VerifiedCase> results = run_all(work, folder, o);
   const std::string text = verify_markdown(results, o.overrides);
   write_atomically(folder / "verify.md", text);

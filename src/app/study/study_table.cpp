@@ -31,12 +31,24 @@ double mean_of(const std::vector<double>& v) {
   return v.empty() ? nothing : sum / static_cast<double>(v.size());
 }
 
+/// Order and value of the three finest meshes.
+void extrapolate(StudyRow& row) {
+  row.own_order = row.extrapolated = nothing;
+  const std::size_t n = row.sizes.size();
+  if (n < 3 || row.quantity.starts_with("budget.")) return;
+  const std::array sizes{row.sizes[n - 3], row.sizes[n - 2], row.sizes[n - 1]};
+  const std::array values{row.mean[n - 3], row.mean[n - 2], row.mean[n - 1]};
+  row.own_order = observed_order(sizes, values);
+  row.extrapolated = extrapolated_value(sizes, values, row.own_order);
+}
+
 StudyRow row_of(const StudyTable& table, std::size_t q) {
   StudyRow row;
   row.quantity = table.quantities[q];
   row.unit = table.runs.front().values[q].unit;
   row.reference = table.runs.front().values[q].reference;
-  const bool is_error = std::isnan(row.reference) && std::isfinite(table.runs.front().values[q].limit);
+  const bool is_error = row.is_error =
+      std::isnan(row.reference) && std::isfinite(table.runs.front().values[q].limit);
   std::map<double, std::vector<double>, std::greater<>> by_size;
   for (const StudyRun& run : table.runs) by_size[run.size].push_back(run.values[q].value);
   for (const auto& [size, values] : by_size) {
@@ -58,6 +70,7 @@ StudyRow row_of(const StudyTable& table, std::size_t q) {
                              : std::log(row.error[i - 1] / row.error[i]) /
                                    std::log(row.sizes[i - 1] / row.sizes[i]));
   }
+  extrapolate(row);
   return row;
 }
 
@@ -70,13 +83,13 @@ std::string cell(const StudyRow& row, std::size_t i) {
   return text;
 }
 
-std::string heading(const StudyRow& row) {
-  std::string head = "| quantity | reference |", rule = "|---|---|";
+std::string heading(const StudyRow& row, const char* first, const char* last) {
+  std::string head = fmt::format("| quantity | {} |", first), rule = "|---|---|";
   for (const double size : row.sizes) {
     head += fmt::format(" {} mm |", number(size * 1e3, 4));
     rule += "---|";
   }
-  return head + " order |\n" + rule + "---|\n";
+  return fmt::format("{} {} |\n{}---|\n", head, last, rule);
 }
 
 }  // namespace
@@ -88,15 +101,35 @@ std::vector<StudyRow> rows_of(const StudyTable& table) {
   return rows;
 }
 
-std::string study_markdown(const StudyTable& table) {
-  const std::vector<StudyRow> rows = rows_of(table);
-  std::string text = fmt::format("# {}\n\n", table.title);
-  if (rows.empty()) return text + "The case has no expected numbers to tabulate.\n";
-  text +=
+double observed_order(const std::array<double, 3>& sizes, const std::array<double, 3>& values) {
+  constexpr double least = 0.1, most = 10;
+  const double ratio = (values[0] - values[1]) / (values[1] - values[2]);
+  const double scale = std::max(std::abs(values[1]), std::abs(values[2]));
+  if (!(std::abs(values[1] - values[2]) > round_off * scale) || !(ratio > 0)) return nothing;
+  // (h0^p - h1^p) / (h1^p - h2^p) rises with p.
+  const auto rises_beyond = [&](double p) {
+    const double a = std::pow(sizes[0] / sizes[2], p), b = std::pow(sizes[1] / sizes[2], p);
+    return (a - b) / (b - 1) > ratio;
+  };
+  double lo = least, hi = most;
+  if (rises_beyond(lo) || !rises_beyond(hi)) return nothing;
+  while (hi - lo > round_off) (rises_beyond(0.5 * (lo + hi)) ? hi : lo) = 0.5 * (lo + hi);
+  return 0.5 * (lo + hi);
+}
+
+double extrapolated_value(const std::array<double, 3>& sizes, const std::array<double, 3>& values,
+                          double order) {
+  return values[2] + (values[2] - values[1]) / (std::pow(sizes[1] / sizes[2], order) - 1);
+}
+
+namespace {
+
+std::string main_table(const std::vector<StudyRow>& rows) {
+  std::string text =
       "Mean over the shifts of the mesh ± half their range, and in brackets the mean error against the "
       "reference. "
       "Order: of that error,\nfrom each mesh to the next.\n\n" +
-      heading(rows.front());
+      heading(rows.front(), "reference", "order");
   for (const StudyRow& row : rows) {
     text += fmt::format("| {} [{}] | {} |", row.quantity, row.unit.empty() ? "1" : row.unit,
                         number(in_unit(row.reference, row.unit), 5));
@@ -106,19 +139,35 @@ std::string study_markdown(const StudyTable& table) {
       orders += (i > 1 ? ", " : "") + number(row.order[i], 2);
     text += ' ' + (orders.empty() ? "-" : orders) + " |\n";
   }
-  text +=
+  return text;
+}
+
+/// Errors by themselves (of an upper limit) are left out: they have no value to go to but zero.
+std::string own_table(const std::vector<StudyRow>& rows) {
+  std::string text =
       "\nAgainst the finest mesh of the table itself, |q - q_finest| / |q_finest| (the measure of the "
       "contact-separation paper, eq. 27).\nIt vanishes by construction on the last mesh, and makes a "
       "first-order "
-      "method look better than that.\n\n" +
-      heading(rows.front());
+      "method look better than that. Order and the value at cells of size zero\n(Richardson): from the three "
+      "finest meshes, where they approach each other from one side.\n\n" +
+      heading(rows.front(), "extrapolated", "order");
   for (const StudyRow& row : rows) {
-    if (std::isnan(row.reference)) continue;
-    text += fmt::format("| {} | |", row.quantity);
+    if (row.is_error) continue;
+    text += fmt::format("| {} [{}] | {} |", row.quantity, row.unit.empty() ? "1" : row.unit,
+                        number(in_unit(row.extrapolated, row.unit), 5));
     for (const double e : row.from_finest) text += ' ' + number(100 * e, 2) + " % |";
-    text += " |\n";
+    text += ' ' + number(row.own_order, 2) + " |\n";
   }
   return text;
+}
+
+}  // namespace
+
+std::string study_markdown(const StudyTable& table) {
+  const std::vector<StudyRow> rows = rows_of(table);
+  const std::string title = fmt::format("# {}\n\n", table.title);
+  if (rows.empty()) return title + "The case has no expected numbers to tabulate.\n";
+  return title + main_table(rows) + own_table(rows);
 }
 
 std::string study_csv(const StudyTable& table) {

@@ -1,0 +1,330 @@
+#include "app/plot/field_plotter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/load_case.hpp"
+#include "app/plot/plot_file.hpp"
+#include "config/geometry.hpp"
+#include "config/units.hpp"
+#include "core/error.hpp"
+#include "format/csv.hpp"
+#include "picture/axis.hpp"
+#include "picture/field_picture.hpp"
+#include "picture/field_plane.hpp"
+#include "picture/line_chart.hpp"
+
+namespace recoil::app {
+
+namespace {
+
+/// The plane of "z=0mm"; without a text the one across z through the middle.
+Cut cut_of(const std::string& text, const config::Domain& domain) {
+  if (text.empty()) return middle_cut(domain, 2);
+  const std::size_t axis = std::string("xyz").find(text.front());
+  if (axis == std::string::npos || text.size() < 2 || text[1] != '=')
+    throw InputError(fmt::format("a plane is given as z=PLACE, not '{}'\n   = help: --slice z=0mm", text));
+  return {axis, quantity_option(text.substr(2), "m", "--slice")};
+}
+
+/// The axes of the picture's plane.
+std::vector<std::string> axes_in(const config::Domain& domain, Cut cut) {
+  std::vector<std::string> axes = config::axes_of(domain.geometry);
+  if (axes.size() == 3) axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(cut.axis));
+  return axes;
+}
+
+LineChart curve_of(const FieldPlane& plane, const std::string& title, const std::string& note) {
+  LineChart chart{title, note, "x [mm]", plane.label};
+  Series s;
+  for (int i = 0; i < plane.values.nx; ++i) {
+    s.x.push_back(1e3 * (plane.values.x0 + (i + 0.5) * plane.values.dx));
+    s.y.push_back(plane.values.at(i, 0));
+  }
+  chart.series.push_back(std::move(s));
+  return chart;
+}
+
+/// Reads "0mm,1mm:9mm,1mm": two places [m].
+std::pair<Point2, Point2> read_line(const std::string& text) {
+  const auto place = [&text](const std::string& part) {
+    const std::size_t comma = part.find(',');
+    if (comma == std::string::npos)
+      throw InputError(fmt::format("'{}' is not a line\n   = help: --along 0mm,1mm:9mm,1mm", text));
+    return Point2{quantity_option(part.substr(0, comma), "m", "--along"),
+                  quantity_option(part.substr(comma + 1), "m", "--along")};
+  };
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const std::pair<Point2, Point2> line{place(text.substr(0, colon)),
+                                       place(colon < text.size() ? text.substr(colon + 1) : "")};
+  if (line.first == line.second)
+    throw InputError(fmt::format("'{}' is a point\n   = help: --along needs two places", text));
+  return line;
+}
+
+/// The value at (u, v), in cells from the lower left corner: linear between the four nearest centres of
+/// cells, of which those without matter do not count. NaN in a cell without matter.
+double value_at(const PlaneArray& a, double u, double v) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  if (!(u >= 0 && u < a.nx && v >= 0 && v < a.ny)) return nothing;
+  if (std::isnan(a.at(static_cast<int>(u), static_cast<int>(v)))) return nothing;
+  const int i = static_cast<int>(std::floor(u - 0.5)), j = static_cast<int>(std::floor(v - 0.5));
+  const double s = u - 0.5 - i, t = v - 0.5 - j;
+  double sum = 0, weight = 0;
+  for (const int q : {0, 1})
+    for (const int p : {0, 1}) {
+      const double near = a.at(std::clamp(i + p, 0, a.nx - 1), std::clamp(j + q, 0, a.ny - 1));
+      const double w = std::abs(1 - p - s) * std::abs(1 - q - t);
+      if (std::isnan(near)) continue;
+      sum += w * near, weight += w;
+    }
+  return sum / weight;
+}
+
+/// The field along a line, two values a cell, over the distance from its beginning.
+/// @param mirror whether x < 0 is the mirror image of x > 0.
+LineChart line_out(const FieldPlane& plane, const std::string& text, const std::string& title,
+                   const std::string& time, bool mirror) {
+  const auto [from, to] = read_line(text);
+  const PlaneArray& a = plane.values;
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const int n = static_cast<int>(std::clamp(2 * length / std::min(a.dx, a.dy), 2.0, 2e4));
+  Series s;
+  for (int k = 0; k <= n; ++k) {
+    const double t = 1.0 * k / n, x = from.x + t * (to.x - from.x), y = from.y + t * (to.y - from.y);
+    s.x.push_back(1e3 * t * length);
+    s.y.push_back(value_at(a, ((mirror ? std::abs(x) : x) - a.x0) / a.dx, (y - a.y0) / a.dy));
+  }
+  if (std::ranges::all_of(s.y, [](double v) { return std::isnan(v); }))
+    throw InputError(fmt::format("there is no matter along {}\n   = help: choose another --along", text));
+  const auto mm = [](double x) { return fmt::format("{}{:.4g}", x < 0 ? "\u2212" : "", 1e3 * std::abs(x)); };
+  const std::string note =
+      fmt::format("{}, ({}, {}) to ({}, {}) mm", time, mm(from.x), mm(from.y), mm(to.x), mm(to.y));
+  LineChart chart{title, note, "distance [mm]", plane.label};
+  chart.series.push_back(std::move(s));
+  return chart;
+}
+
+/// What a window leaves of one axis.
+struct Span {
+  double from = -1e300, to = 1e300;  // m
+};
+
+/// Reads "r=0mm..9mm,z=0mm..12mm".
+std::array<Span, 2> read_window(const std::string& text, const std::vector<std::string>& axes) {
+  std::array<Span, 2> window;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string part = text.substr(at, end - at);
+    const std::size_t equals = part.find('='), dots = part.find("..");
+    const auto axis = std::find(axes.begin(), axes.end(), part.substr(0, equals)) - axes.begin();
+    if (equals == std::string::npos || dots == std::string::npos || axis > 1)
+      throw InputError(
+          fmt::format("'{}' is not an interval of a window\n   = help: --window {}=0mm..9mm,{}=0mm..12mm",
+                      part, axes[0], axes[1]));
+    window[axis] = {quantity_option(part.substr(equals + 1, dots - equals - 1), "m", "--window"),
+                    quantity_option(part.substr(dots + 2), "m", "--window")};
+    at = end + 1;
+  }
+  return window;
+}
+
+/// Leaves the cells whose centre lies in the window.
+void crop(PlaneArray& a, const std::array<Span, 2>& window) {
+  const auto first = [](double x0, double dx, double from, int n) {
+    return std::clamp(static_cast<int>(std::ceil((from - x0) / dx - 0.5)), 0, n);
+  };
+  const int i0 = first(a.x0, a.dx, std::max(window[0].from, a.x0), a.nx),
+            i1 = first(a.x0, a.dx, std::min(window[0].to, a.x0 + a.nx * a.dx), a.nx),
+            j0 = first(a.y0, a.dy, std::max(window[1].from, a.y0), a.ny),
+            j1 = first(a.y0, a.dy, std::min(window[1].to, a.y0 + a.ny * a.dy), a.ny);
+  if (i1 <= i0 || j1 <= j0)
+    throw InputError("the window lies outside the field\n   = help: choose another --window");
+  PlaneArray b{i1 - i0, j1 - j0, a.x0 + i0 * a.dx, a.y0 + j0 * a.dy, a.dx, a.dy, {}};
+  for (int j = j0; j < j1; ++j)
+    for (int i = i0; i < i1; ++i) b.values.push_back(a.at(i, j));
+  a = std::move(b);
+}
+
+/// The points of a table of time and two coordinates at the time nearest to t [s].
+Outline read_outline(const std::string& file, double t) {
+  const CsvTable table = read_csv(file);
+  if (table.columns.size() < 3)
+    throw InputError(
+        fmt::format("{} is not an outline\n   = help: its columns are a time and two coordinates", file));
+  const auto column = [&](std::size_t k) {
+    std::vector<double> v = table.numbers(table.columns[k]);
+    const std::string unit = table.unit(table.columns[k]);
+    for (double& x : v) x *= unit.empty() ? 1 : config::unit_size(unit);
+    return v;
+  };
+  const std::vector<double> time = column(0), x = column(1), y = column(2);
+  double best = 0;
+  for (const double s : time)
+    if (std::abs(s - t) < std::abs(best - t)) best = s;
+  Outline outline;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    if (time[k] == best) outline.points.push_back({x[k], y[k]});
+  return outline;
+}
+
+/// Grows the array to the box, without values there.
+void pad(PlaneArray& a, const PlaneBox& box, double nothing) {
+  const int left = static_cast<int>(std::lround((a.x0 - box.x0) / a.dx));
+  const int below = static_cast<int>(std::lround((a.y0 - box.y0) / a.dy));
+  PlaneArray b{static_cast<int>(std::lround((box.x1 - box.x0) / a.dx)),
+               static_cast<int>(std::lround((box.y1 - box.y0) / a.dy)),
+               a.x0 - left * a.dx,
+               a.y0 - below * a.dy,
+               a.dx,
+               a.dy,
+               {}};
+  b.values.assign(static_cast<std::size_t>(b.nx) * static_cast<std::size_t>(b.ny), nothing);
+  for (int j = 0; j < a.ny; ++j)
+    for (int i = 0; i < a.nx; ++i)
+      if (i + left >= 0 && i + left < b.nx && j + below >= 0 && j + below < b.ny)
+        b.values[static_cast<std::size_t>(i + left) +
+                 static_cast<std::size_t>(b.nx) * static_cast<std::size_t>(j + below)] = a.at(i, j);
+  a = std::move(b);
+}
+
+void grow(std::optional<PlaneBox>& box, const PlaneArray& a) {
+  const PlaneBox own{a.x0, a.x0 + a.nx * a.dx, a.y0, a.y0 + a.ny * a.dy};
+  if (!box) box = own;
+  *box = {std::min(box->x0, own.x0), std::max(box->x1, own.x1), std::min(box->y0, own.y0),
+          std::max(box->y1, own.y1)};
+}
+
+}  // namespace
+
+/// Colours by the options; zero in the middle of them where values have both signs.
+void choose_colours(FieldPicture& picture, bool signed_values, const PlotOptions& o) {
+  if (!picture.categories.empty()) {
+    if (o.log || !o.lowest.empty() || !o.highest.empty())
+      throw InputError("--min, --max and --log do not apply to a field of names\n   = help: omit them");
+    return;
+  }
+  Range values;
+  for (const double v : picture.values) values.include(v, o.log);
+  picture.log = o.log;
+  picture.range = range_of(o, picture.label, values.lo, values.hi);
+  const double lo = picture.range ? picture.range->first : values.lo;
+  const double hi = picture.range ? picture.range->second : values.hi;
+  if (signed_values && !o.log && lo < 0 && (hi > 0 || !picture.range)) picture.map = ColourMap::diverging;
+}
+
+/// Size, heading and sharpness by the options.
+void choose_look(FieldPicture& picture, const PlotOptions& o) {
+  if (o.width > 0) picture.max_width = o.width;
+  if (o.height > 0) picture.max_height = o.height;
+  if (!o.title.empty()) picture.title = o.title;
+  if (!o.file.empty() && picture_format(o.file) != PictureFormat::png) picture.detail = 2;
+}
+
+FieldPlotter::FieldPlotter(const PlotOptions& o)
+    : options_(o), case_(load_run(o.folder).contents), cut_(cut_of(o.slice, case_.domain)) {
+  is_line_ = case_.domain.geometry == config::Geometry::line;
+  if (is_line_ && !(o.window.empty() && o.outline.empty() && o.along.empty()))
+    throw InputError(
+        "--window, --outline and --along need a field in the plane\n   = help: omit them for a 1d run");
+}
+
+FieldPlane FieldPlotter::whole_plane(const ChosenDump& dump) const {
+  return field_plane(read_vtkhdf(dump.path), options_.what.front(), run_units(case_.domain.geometry), cut_);
+}
+
+FieldPlane FieldPlotter::plane_of(const ChosenDump& dump) const {
+  FieldPlane plane = whole_plane(dump);
+  if (draws_curves()) return plane;
+  if (box_) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    pad(plane.values, *box_, nothing);
+    pad(plane.matter, *box_, 8 * std::max(plane.matter.dx, plane.matter.dy));
+    for (PlaneArray& phi : plane.level_sets) pad(phi, *box_, nothing);
+  }
+  if (options_.window.empty()) return plane;
+  const auto window = read_window(options_.window, axes_in(case_.domain, cut_));
+  crop(plane.values, window);
+  crop(plane.matter, window);
+  for (PlaneArray& phi : plane.level_sets) crop(phi, window);
+  return plane;
+}
+
+LineChart FieldPlotter::curve_in(const FieldPlane& plane, const std::string& note) const {
+  if (is_line_) return curve_of(plane, case_.title, note);
+  const bool mirror = case_.domain.geometry == config::Geometry::axisymmetric;
+  return line_out(plane, options_.along, case_.title, note, mirror);
+}
+
+void FieldPlotter::hold_frame(const std::vector<ChosenDump>& dumps) {
+  std::optional<PlaneBox> box;
+  Range values;
+  const auto take = [&](const FieldPlane& plane) {
+    for (const Category& c : plane.categories)
+      if (std::ranges::find(categories_, c.value, &Category::value) == categories_.end())
+        categories_.push_back(c);
+    const LineChart chart = draws_curves() ? curve_in(plane, "") : LineChart{};
+    for (const Series& s : chart.series)
+      for (const double y : s.y) values.include(y, options_.log);
+    for (const double v : plane.values.values)
+      if (!draws_curves()) values.include(v, options_.log);
+  };
+  for (const ChosenDump& dump : dumps) {
+    const FieldPlane plane = whole_plane(dump);
+    grow(box, plane.matter);
+    if (options_.window.empty()) take(plane);
+  }
+  box_ = box;
+  for (const ChosenDump& dump : dumps)
+    if (!options_.window.empty()) take(plane_of(dump));
+  std::ranges::sort(categories_, {}, &Category::value);
+  if (!categories_.empty() || !(values.lo < values.hi)) return;
+  if (options_.log) values.lo = std::max(values.lo, 1e-6 * values.hi);
+  if (options_.lowest.empty()) options_.lowest = fmt::format("{:.17g}", values.lo);
+  if (options_.highest.empty()) options_.highest = fmt::format("{:.17g}", values.hi);
+}
+
+Canvas FieldPlotter::draw(const ChosenDump& dump) const {
+  const FieldPlane plane = plane_of(dump);
+  const std::string note = fmt::format("{:.4g} µs", dump.time_s * 1e6);
+  if (!draws_curves()) return picture_of(plane, note);
+  LineChart chart = curve_in(plane, note);
+  if (box_ && is_line_) chart.x_range = {1e3 * box_->x0, 1e3 * box_->x1};
+  return chart_canvas(options_, std::move(chart));
+}
+
+Canvas FieldPlotter::picture_of(const FieldPlane& plane, const std::string& note) const {
+  const config::Case& c = case_;
+  const PlaneArray& a = plane.values;
+  FieldPicture picture;
+  picture.nx = a.nx, picture.ny = a.ny;
+  picture.x0 = a.x0, picture.y0 = a.y0;
+  picture.dx = a.dx, picture.dy = a.dy;
+  picture.values = a.values;
+  picture.level_set = plane.matter.values;
+  for (const PlaneArray& phi : plane.level_sets)
+    for (Outline& line : zero_outlines(phi)) picture.outlines.push_back(std::move(line));
+  picture.title = c.title;
+  picture.note = note;
+  picture.label = plane.label;
+  picture.categories = categories_.empty() ? plane.categories : categories_;
+  const auto axes = axes_in(c.domain, cut_);
+  picture.x_title = axes[0] + " [mm]";
+  picture.y_title = axes[1] + " [mm]";
+  picture.mirror = c.domain.geometry == config::Geometry::axisymmetric;
+  if (!options_.outline.empty()) picture.references.push_back(read_outline(options_.outline, plane.time_s));
+  choose_colours(picture, plane.signed_values, options_);
+  choose_look(picture, options_);
+  return field_picture(picture);
+}
+
+}  // namespace recoil::app

@@ -1,0 +1,130 @@
+#include "app/study/child_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <thread>
+
+#include "app/command_line.hpp"
+#include "app/launch.hpp"
+#include "app/run/checkpoint_folder.hpp"
+#include "app/run/resolved_case.hpp"
+#include "app/run/run_quantities.hpp"
+#include "config/read_case.hpp"
+#include "core/error.hpp"
+
+namespace recoil::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Exit code and verdict of a finished run.
+ChildResult told_by(const fs::path& summary) {
+  const auto j = nlohmann::json::parse(text_of(summary), nullptr, false);
+  if (!j.is_object())
+    throw InputError(fmt::format("{} cannot be read\n   = help: remove it", summary.string()));
+  return {j.value("exit", 0), false, j.value("verdict", ""), ""};
+}
+
+std::vector<std::string> words_of(const ChildRun& run) {
+  const bool goes_on = is_of_case(run.folder, run.resolved) && !fs::exists(run.folder / "summary.json") &&
+                       !checkpoints_of(run.folder).empty();
+  if (goes_on) return {"resume", run.folder.string(), "--plain", "-j", "1"};
+  std::vector<std::string> words{
+      "run", run.case_file.string(), "-o", run.folder.string(), "--force", "--plain", "-j", "1"};
+  for (const std::string& change : run.overrides) words.insert(words.end(), {"--set", change});
+  return words;
+}
+
+}  // namespace
+
+void share_work(std::size_t items, int jobs, const std::function<void(std::size_t)>& task) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto labour = [&] {
+    for (std::size_t k = next++; k < items; k = next++) try {
+        task(k);
+      } catch (...) {
+        const std::lock_guard lock(failing);
+        if (!failure) failure = std::current_exception();
+        next = items;
+      }
+  };
+  const auto processors = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t workers = std::min(items, jobs > 0 ? static_cast<std::size_t>(jobs) : processors);
+  std::vector<std::jthread> team;
+  for (std::size_t k = 1; k < workers; ++k) team.emplace_back(labour);
+  labour();
+  team.clear();  // joins
+  if (failure) std::rethrow_exception(failure);
+}
+
+ChildRun checked_run(const fs::path& case_file, const std::vector<std::string>& overrides,
+                     const fs::path& folder) {
+  LoadedCase loaded = load_case(case_file.string(), overrides);
+  if (!loaded.found.has_errors()) check_logic(loaded);
+  if (loaded.too_large) throw EnvironmentError(loaded.found.text());
+  loaded.found.throw_if_errors();
+  return {case_file, folder, overrides, resolved_text(loaded)};
+}
+
+bool is_of_case(const fs::path& folder, const std::string& resolved) {
+  return text_of(folder / "case.resolved.toml") == resolved;
+}
+
+ChildResult run_or_reuse(const ChildRun& run) {
+  const fs::path summary = run.folder / "summary.json", log = run.folder.string() + ".log";
+  if (has_quantities(run.folder) && is_of_case(run.folder, run.resolved)) {
+    ChildResult before = told_by(summary);
+    before.reused = true;
+    return before;
+  }
+  int code = exit_environment;
+  try {
+    code = run_child(words_of(run), log);
+  } catch (const EnvironmentError&) {  // killed: the log is all that is known
+    return {code, false, "failed", fmt::format("the run was ended from outside, see {}", log.string())};
+  }
+  if (has_results(code)) return told_by(summary);
+  return {code, false, code == exit_stopped ? "stopped" : "failed",
+          fmt::format("exit code {}, see {}", code, log.string())};
+}
+
+void check_named(const std::vector<std::string>& quantities, const config::Case& c, const char* option) {
+  config::Diagnostics found;
+  std::string all;
+  std::vector<config::Expectation> named;
+  for (const std::string& q : quantities) {
+    all += q + '\n';
+    config::Expectation e;
+    e.quantity = q;
+    e.place = {option, static_cast<int>(named.size()) + 1, 1, static_cast<int>(q.size())};
+    named.push_back(e);
+  }
+  found.source(option, all);
+  config::check_expected_names(named, c.bodies, c.gauges, found);
+  found.throw_if_errors();
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw EnvironmentError(fmt::format("the folder {} cannot be made: {}", folder.string(), error.message()));
+}
+
+}  // namespace recoil::app

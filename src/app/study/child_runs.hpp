@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/load_case.hpp"
+
+/// Many runs for one command: each a process of its own, in a folder of its own.
+namespace recoil::app {
+
+/// Calls task(k) once for every k below `items`, so many at a time. After an exception nothing more is
+/// begun, and the first one is thrown again. @param jobs 0: one for each processor.
+void share_work(std::size_t items, int jobs, const std::function<void(std::size_t)>& task);
+
+/// A run that is wanted.
+struct ChildRun {
+  std::filesystem::path case_file, folder;
+  std::vector<std::string> overrides;  // PATH=VALUE
+  std::string resolved;                // the case as it will be computed
+};
+
+/// The same, with everything that can be known to be wrong found. @throws InputError, EnvironmentError.
+ChildRun checked_run(const std::filesystem::path& case_file, const std::vector<std::string>& overrides,
+                     const std::filesystem::path& folder);
+
+/// Whether a folder holds what the case, as it will be computed, leaves at its start.
+bool is_of_case(const std::filesystem::path& folder, const std::string& resolved);
+
+/// What became of it.
+struct ChildResult {
+  int exit = 0;
+  bool reused = false;  // it had been finished before
+  std::string verdict;  // of summary.json; "failed" of a run without results
+  std::string problem;  // why there are no results; empty: there are
+};
+
+/// Runs it on one thread, unless its folder holds the same run: a finished one is left alone, an interrupted
+/// one goes on from its checkpoint. What it prints goes to FOLDER.log.
+ChildResult run_or_reuse(const ChildRun& run);
+
+/// Finds gauges, bodies and pairs that quantities name and the case does not have. @param option that named
+/// them. @throws InputError.
+void check_named(const std::vector<std::string>& quantities, const config::Case& c, const char* option);
+
+/// Makes a folder for results. @throws EnvironmentError.
+void make_folder(const std::filesystem::path& folder);
+
+}  // namespace recoil::app
