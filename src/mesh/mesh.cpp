@@ -128,6 +128,24 @@ void Mesh<Dim>::take_leaves(const parallel::World& world) {
     if (!peer.send.empty() || !peer.receive.empty()) peers_.push_back(std::move(peer));
   }
   leaves_ = slots();
+  number_copies(world);
+}
+
+/// Asks the owners of copies for their places along the curve.
+template <int Dim>
+void Mesh<Dim>::number_copies(const parallel::World& world) {
+  std::vector<parallel::Message> out;
+  std::vector<int> from;
+  for (const Peer& peer : peers_) {
+    out.push_back({peer.rank, {}});
+    for (const int s : peer.send) parallel::pack(out.back().bytes, blocks_[s].order);
+    from.push_back(peer.rank);
+  }
+  const auto in = world.exchange(out, from);
+  for (std::size_t p = 0; p < in.size(); ++p) {
+    parallel::Unpacker reader(in[p].bytes);
+    for (const int s : peers_[p].receive) blocks_[s].order = reader.read<long>();
+  }
 }
 
 template <int Dim>

@@ -17,7 +17,7 @@ template <int Dim>
 struct Block {
   Index<Dim> at{};                             // place in the lattice of blocks of its level
   Box<Dim> cells{};                            // indices of its level
-  long order = -1;                             // of an own block: place along the curve, over all ranks
+  long order = -1;                             // place along the curve, over all ranks; -1: a stand-in
   std::array<int, power<Dim>(3)> neighbour{};  // slots, numbered as the box {-1..1}^Dim; -1: none
   int level = 0;                               // 0: the finest
 
@@ -110,6 +110,7 @@ class Mesh {
   Mesh(const std::vector<Grid<Dim>>& grids, Forest<Dim> forest, const parallel::World& world);
   void add_block(const Place<Dim>& place);
   void take_leaves(const parallel::World& world);
+  void number_copies(const parallel::World& world);
   void add_stand_ins();
   void add_stand_in(const Block<Dim>& beside, const Index<Dim>& offset);
   void number_neighbours();

@@ -195,65 +195,6 @@ bool starts_finer(const config::Case& c, const std::vector<std::function<double(
   return false;
 }
 
-/// f(cell) for the cells of a box but those of parts for which skip(middle, radius) is true: nothing within that
-/// distance of the middle matters.
-template <int Dim, class Skip, class F>
-void for_each_cell_but(const Grid<Dim>& grid, const Box<Dim>& cells, const Skip& skip, const F& f) {
-  constexpr int few = 64;
-  double n = 1;  // may be more than an int holds
-  for (int d = 0; d < Dim; ++d) n *= cells.extent(d);
-  if (n <= few) return for_each(cells, f);
-  Vec<Dim> middle;
-  double radius = 0;
-  int longest = 0;
-  for (int d = 0; d < Dim; ++d) {
-    middle[d] = grid.origin[d] + 0.5 * (cells.lo[d] + cells.hi[d]) * grid.dx;
-    radius += std::pow(0.5 * cells.extent(d) * grid.dx, 2);
-    if (cells.extent(d) > cells.extent(longest)) longest = d;
-  }
-  if (skip(middle, std::sqrt(radius))) return;
-  Box<Dim> low = cells, high = cells;
-  low.hi[longest] = high.lo[longest] = (cells.lo[longest] + cells.hi[longest]) / 2;
-  for_each_cell_but(grid, low, skip, f);
-  for_each_cell_but(grid, high, skip, f);
-}
-
-template <int Dim>
-void find_overlaps_in(const config::Case& c, config::Diagnostics& out) {
-  const Grid<Dim> grid = make_grid<Dim>(c);
-  std::vector<std::function<double(const Vec<Dim>&)>> distance;
-  for (const auto& body : c.bodies) distance.push_back(signed_distance<Dim>(body.shape, c.domain));
-  const std::size_t n = distance.size();
-  std::vector<double> deepest(n * n, 0), phi(n);
-  std::vector<Vec<Dim>> place(n * n);
-  const auto apart = [&](const Vec<Dim>& middle, double radius) {
-    int near = 0;  // bodies that reach into it
-    for (std::size_t m = 0; m < n; ++m) near += distance[m](middle) < radius + 0.5 * grid.dx ? 1 : 0;
-    return near < 2;
-  };
-  for_each_cell_but(grid, grid.domain(), apart, [&](const Index<Dim>& i) {
-    const Vec<Dim> x = grid.centre(i);
-    for (std::size_t m = 0; m < n; ++m) phi[m] = distance[m](x);
-    for (std::size_t m = 0; m < n; ++m)
-      for (std::size_t q = m + 1; q < n; ++q) {
-        const double overlap = -(phi[m] + phi[q]);
-        if (std::max(phi[m], phi[q]) > 0.5 * grid.dx || overlap <= deepest[m * n + q]) continue;
-        deepest[m * n + q] = overlap;
-        place[m * n + q] = x;
-      }
-  });
-  for (std::size_t m = 0; m < n; ++m)
-    for (std::size_t q = m + 1; q < n; ++q) {
-      if (deepest[m * n + q] <= 1e-6 * grid.dx) continue;
-      std::string at;
-      for (int d = 0; d < Dim; ++d) at += fmt::format("{}{:.4g}", d ? ", " : "", place[m * n + q][d] * 1e3);
-      out.error(c.bodies[q].shape.place,
-                fmt::format("bodies '{}' and '{}' overlap by {:.4g} mm near ({}) mm", c.bodies[m].name,
-                            c.bodies[q].name, deepest[m * n + q] * 1e3, at),
-                fmt::format("move or cut one of them; bodies may touch, as at a common face"));
-    }
-}
-
 }  // namespace
 
 namespace {
@@ -331,8 +272,9 @@ std::vector<double> cells_at_start(const config::Case& c) {
     }
   };
   const int coarsest = c.mesh.levels - 1;
-  for_each(Box<Dim>{{}, grid.at_level(coarsest).blocks()},
-           [&](const Index<Dim>& at) { visit(Place<Dim>{coarsest, at}); });
+  for_each(Box<Dim>{{}, grid.at_level(coarsest).blocks()}, [&](const Index<Dim>& at) {
+    visit(Place<Dim>{coarsest, at});
+  });
   return cells;
 }
 
@@ -384,17 +326,6 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
     l.failures.resize(n);
   }
   return state;
-}
-
-void find_overlaps(const config::Case& c, config::Diagnostics& out) {
-  switch (config::dimension(c.domain.geometry)) {
-    case 1:
-      return find_overlaps_in<1>(c, out);
-    case 2:
-      return find_overlaps_in<2>(c, out);
-    default:
-      return find_overlaps_in<3>(c, out);
-  }
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                          \

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "config/case.hpp"
-#include "config/diagnostics.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
@@ -13,8 +12,8 @@ namespace recoil {
 template <int Dim>
 Grid<Dim> make_grid(const config::Case& c);
 
-/// Cells of the blocks that hold matter at t = 0, by level; the same number as make_state() gives, but for blocks
-/// that are cut because a neighbour is much finer.
+/// Cells of the blocks that hold matter at t = 0, by level; the same number as make_state() gives, but for
+/// blocks that are cut because a neighbour is much finer.
 template <int Dim>
 std::vector<double> cells_at_start(const config::Case& c);
 
@@ -25,9 +24,5 @@ std::vector<double> cells_at_start(const config::Case& c);
 template <int Dim>
 State<Dim> make_state(const config::Case& c, const std::vector<Material>& materials,
                       const parallel::World& world);
-
-/// Reports bodies that overlap (by more than 1e-6 of a cell): where and how deep. One error per pair, at the
-/// later body. Looks at the cells of the case's mesh.
-void find_overlaps(const config::Case& c, config::Diagnostics& out);
 
 }  // namespace recoil

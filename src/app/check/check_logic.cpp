@@ -11,8 +11,8 @@
 #include "app/check/estimate.hpp"
 #include "app/load_case.hpp"
 #include "config/geometry.hpp"
+#include "problem/overlaps.hpp"
 #include "problem/shape.hpp"
-#include "problem/start.hpp"
 
 namespace recoil::app {
 

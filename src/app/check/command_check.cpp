@@ -98,7 +98,8 @@ void print_report(const Report& r) {
       duration(r.cost.seconds));
   if (c.mesh.levels > 1)
     fmt::print(
-        "  {} levels: {:.3g} cells at the start, to which memory and time apply; waves and new surfaces add some\n",
+        "  {} levels: {:.3g} cells at the start, to which memory and time apply; waves and new surfaces add "
+        "some\n",
         c.mesh.levels, r.cost.start_cells);
 }
 
@@ -165,10 +166,13 @@ Json report_json(const Report& r) {
     j["predicted"].push_back(prediction_json(p, r.loaded.contents));
   j["touches"] = Json::array();
   for (const TouchPrediction& p : r.touches) j["touches"].push_back(touch_json(p, r.loaded.contents));
-  j["cost"] = {{"cells", r.cost.cells},         {"material_cells", r.cost.material_cells},
+  j["cost"] = {{"cells", r.cost.cells},
+               {"material_cells", r.cost.material_cells},
                {"start_cells", r.cost.start_cells},
-               {"cut_cells", r.cost.cut_cells}, {"step", r.cost.step},
-               {"steps", r.cost.steps},         {"memory", r.cost.memory},
+               {"cut_cells", r.cost.cut_cells},
+               {"step", r.cost.step},
+               {"steps", r.cost.steps},
+               {"memory", r.cost.memory},
                {"seconds", r.cost.seconds}};
   return j;
 }

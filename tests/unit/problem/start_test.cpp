@@ -198,5 +198,37 @@ TEST(FindOverlaps, LooksAtEveryPair) {
   EXPECT_EQ(found.error_count(), 2);
 }
 
+/// What `recoil check` says of a mesh of several levels is what the run starts with.
+TEST(MakeState, StartsWithAsManyCellsAsForetold) {
+  start_parallel();
+  auto c = planar_case(vector_of(-0.01, -0.01), vector_of(0.05, 0.05), 1e-4);
+  c.bodies.push_back(body_of("block", box_shape(vector_of(0, 0), vector_of(0.04, 0.04))));
+  c.mesh.levels = 4;
+  const auto state = make_state<2>(c, {samples::copper()}, parallel::World{});
+  double held = 0, finest = 0;
+  for (int s = 0; s < state.mesh.local(); ++s) {
+    if (!state.bodies[0].present(s)) continue;
+    held += state.mesh.block(s).cells.size();
+    finest += state.mesh.block(s).level == 0 ? state.mesh.block(s).cells.size() : 0;
+  }
+  double foretold = 0;
+  for (const double n : cells_at_start<2>(c)) foretold += n;
+  EXPECT_NEAR(foretold / held, 1, 0.2);
+  EXPECT_LT(held, 0.75 * 400 * 400);
+  EXPECT_GT(finest, 0.3 * held);
+}
+
+TEST(MakeGrid, ADomainHoldsWholeCellsOfAllLevels) {
+  auto c = planar_case(vector_of(0, 0), vector_of(1, 1), 0.1);
+  c.mesh.levels = 3;
+  EXPECT_EQ(make_grid<2>(c).cells, (Index<2>{{12, 12}}));
+  for (auto& ends : c.domain.boundary) ends = {Boundary::symmetry, Boundary::symmetry};
+  EXPECT_THROW(make_grid<2>(c), InputError);
+  c.domain.hi = vector_of(1.2, 1.2);
+  EXPECT_EQ(make_grid<2>(c).cells, (Index<2>{{12, 12}}));
+  c.method.scheme = "ghost-fluid";
+  EXPECT_THROW(make_grid<2>(c), InputError);
+}
+
 }  // namespace
 }  // namespace recoil
