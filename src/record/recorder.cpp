@@ -111,9 +111,12 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
   s.passed = !p.world.any(!s.passed);
   s.verdict = p.verdict_on(state, s, facts);
   s.exit = facts.exit;
-  if (p.world.any(s.verdict.kind == Verdict::Kind::stopped)) s.exit = exit_stopped;
+  const auto is = [&](Verdict::Kind kind) {  // the first process alone has seen all there is to judge
+    return p.world.any(p.first() && s.verdict.kind == kind);
+  };
+  if (is(Verdict::Kind::stopped)) s.exit = exit_stopped;
   if (s.exit == 0 && !s.passed) s.exit = exit_expectation_failed;
-  if (p.world.any(s.verdict.kind == Verdict::Kind::doubtful) && s.exit == 0) s.exit = exit_doubtful;
+  if (is(Verdict::Kind::doubtful) && s.exit == 0) s.exit = exit_doubtful;
   s.version = facts.version;
   s.case_name = case_name(p.case_);
   s.time = state.time;

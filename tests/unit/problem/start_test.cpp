@@ -9,6 +9,7 @@
 #include "../parallel/session.hpp"
 #include "cases.hpp"
 #include "core/error.hpp"
+#include "problem/overlaps.hpp"
 
 namespace recoil {
 namespace {
