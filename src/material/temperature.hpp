@@ -105,7 +105,7 @@ class TemperatureLaw {
   void fill(const Model& eos) {
     constexpr DensityRange range = density_range<Model>();
     constexpr double part_below = 1 - std::min(0.4, 0.8 * range.least);
-    constexpr int below = static_cast<int>(part_below / 3e-4 + 0.5);
+    constexpr int below = static_cast<int>(part_below / 3e-4 + 0.5);  // NOLINT: no lround at compile time
     rho0_ = eos.rho0;
     spacing_ = part_below * rho0_ / below;
     lowest_ = rho0_ - below * spacing_;

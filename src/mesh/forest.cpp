@@ -7,7 +7,7 @@
 #include <p8est_extended.h>
 #include <p8est_ghost.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -122,7 +122,7 @@ struct Forest<Dim>::Parts {
     Leaf to;
     to.place.level = levels - 1 - q.level;
     for (int d = 0; d < Dim; ++d)
-      to.place.at[d] = (static_cast<int>(x[d] + 0.5) << q.level) + below(static_cast<std::size_t>(d));
+      to.place.at[d] = (static_cast<int>(std::lround(x[d])) << q.level) + below(static_cast<std::size_t>(d));
     to.beside = Dim == 1 && below(1) != 0;
     return to;
   }

@@ -159,8 +159,8 @@ Place<Dim> Mesh<Dim>::beside(const Place<Dim>& place, const Index<Dim>& offset) 
 
 /// The block at an offset from another one, where leaves of another level stand in its place.
 template <int Dim>
-void Mesh<Dim>::add_stand_in(const Block<Dim>& block, const Index<Dim>& offset) {
-  const Place<Dim> p = beside(block.place(), offset);
+void Mesh<Dim>::add_stand_in(const Block<Dim>& beside, const Index<Dim>& offset) {
+  const Place<Dim> p = this->beside(beside.place(), offset);
   if (!inside(p)) return;
   int slot = find(p);
   if (slot >= 0 && slot < leaves_) return;
