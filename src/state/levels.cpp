@@ -105,7 +105,10 @@ class Filling {
     Body<Dim>& body = state_.bodies[body_];
     const bool there =
         std::any_of(by_.from.begin(), by_.from.end(), [&](int s) { return s >= 0 && body.present(s); });
-    if (!there) return leave_block(body, slot_);
+    if (!there) {
+      if (body.present(slot_)) leave_block(body, slot_);
+      return;
+    }
     BodyBlock<Dim>& b = body.at(slot_);
     b.present = true;
     const bool volumes = fields_.has(Field::contents) || fields_.has(Field::volume);
