@@ -60,8 +60,8 @@ Mesh<Dim> mesh_of(const Mesh<Dim>& like, const std::vector<Place<Dim>>& places,
 template <int Dim>
 void take_places(State<Dim>& state, parallel::Unpacker& from, const parallel::World& world) {
   std::vector<Place<Dim>> places(from.read<std::uint64_t>());
+  if (places.empty()) return;  // one level
   from.read(places.data(), places.size());
-  if (places.empty()) return;
   state = empty_on(mesh_of(state.mesh, places, world), state);
 }
 
