@@ -58,9 +58,11 @@ Mesh<Dim> mesh_of(const Mesh<Dim>& like, const std::vector<Place<Dim>>& places,
 }
 
 template <int Dim>
-void take_places(State<Dim>& state, parallel::Unpacker& from, const parallel::World& world) {
-  std::vector<Place<Dim>> places(from.read<std::uint64_t>());
-  if (places.empty()) return;  // one level
+void take_places(State<Dim>& state, long blocks, parallel::Unpacker& from, const parallel::World& world) {
+  const auto count = from.read<std::uint64_t>();
+  if (count == 0) return;  // one level
+  require(count == static_cast<std::uint64_t>(blocks), "a place for each block");
+  std::vector<Place<Dim>> places(count);
   from.read(places.data(), places.size());
   state = empty_on(mesh_of(state.mesh, places, world), state);
 }
@@ -101,7 +103,7 @@ template <int Dim>
 void read_checkpoint(const BlockFile& file, State<Dim>& state, AveragedStates& averaged,
                      Recorder<Dim>& recorder, const parallel::World& world) {
   parallel::Unpacker whole(file.head().whole);
-  read_exactly([&] { take_places(state, whole, world); });
+  read_exactly([&] { take_places(state, file.blocks(), whole, world); });
   make_room(averaged, state);
   read_exactly([&] {
     require(file.blocks() == all_blocks(state, world), "a checkpoint of another mesh");
