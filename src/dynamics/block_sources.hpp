@@ -12,12 +12,6 @@ namespace recoil::detail {
 template <int Dim>
 void meet_other_levels(const Faces<Dim>& faces, int axis, const Work<Dim>& w);
 
-/// Keeps the fluxes and star velocities of the faces beyond which cells are coarser, and replaces those
-/// beyond which they are finer by the means that were kept there, weighted with the areas: what leaves the
-/// one enters the other. Finer blocks first.
-template <int Dim>
-void meet_other_levels(const Faces<Dim>& faces, int axis, const Work<Dim>& w);
-
 /// Adds what the walls do to the rates of cut cells, and moves their volumes by dt seconds.
 template <int Dim>
 void add_walls(BodyBlock<Dim>& block, Work<Dim>& work, double dt);

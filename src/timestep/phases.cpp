@@ -55,7 +55,7 @@ template <int Dim>
   for (int d = 0; d < Dim; ++d) at += fmt::format("{}{:.4g}", d > 0 ? ", " : "", x[d] * 1e3);
   throw PhysicsError(fmt::format(
       "a state of {} is beyond its equation of state beside cells of another size, in the block at "
-      "({}) mm, {:.6g} us; a box of finest cells there (mesh.refine) or a lower mesh.bend helps",
+      "({}) mm, {:.6g} us; a box of finest cells there ([refine.NAME]) or a lower mesh.bend helps",
       body.name, at, state.time * 1e6));
 }
 

@@ -17,8 +17,8 @@ enum class Asks : std::uint8_t {
 template <int Dim>
 Asks asks_of(const State<Dim>& state, int slot, const Refinement<Dim>& rules);
 
-/// Whether an own block must be cut at once, or one beside it: a surface or damaged matter is in it, and it
-/// or one that touches it is not of the finest level.
+/// Whether an own block must be cut at once, or one beside it: a surface is in it, and it or one that touches
+/// it is not of the finest level.
 template <int Dim>
 bool lacks_finest(const State<Dim>& state, int slot);
 
