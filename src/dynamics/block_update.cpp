@@ -62,22 +62,23 @@ void find_failed(Work<Dim>& w, Scratch& scratch) {
     w.failed[k] = damage[k] < failed_damage ? intact : p[k] != 0 ? failed_matter : with_void;
 }
 
-template <int Dim, class EosModel>
-void gather_values(const Body<Dim>& body, int slot, const EosModel& eos, double shear_modulus, Work<Dim>& w,
+template <int Dim>
+void gather_values(const Body<Dim>& body, int slot, const AnyEos& eos, double shear_modulus, Work<Dim>& w,
                    Scratch& scratch) {
   using C = Components<Dim>;
   w.fails = can_fail(body.material.damage);
-  if (w.fails || EosModel::barotropic)
+  if (w.fails || eos.barotropic)
     gather_primitives<C::primitives>(body, slot, eos.rho0, w, scratch);
   else
     gather_primitives<C::damage>(body, slot, eos.rho0, w, scratch);
   if (w.fails) find_failed(w, scratch);
   w.impedance = scratch.take<double>(w.wide + vector_length);
   const double c0 = bulk_sound_speed(eos), least = least_sound * c0 * c0;
-  const double *rho = w.primitive, *p = w.primitive + C::p * w.wide;
+  const double* rho = w.primitive;
+  eos.sound_speeds_squared(rho, w.primitive + C::p * w.wide, w.wide, w.impedance);
 #pragma omp simd
   for (std::size_t k = 0; k < w.wide; ++k) {
-    const double c2 = eos.sound_speed_squared(rho[k], p[k]);
+    const double c2 = w.impedance[k];
     w.impedance[k] = rho[k] * std::sqrt((c2 > least ? c2 : least) + 4 * shear_modulus / (3 * rho[k]));
   }
 }
@@ -110,8 +111,8 @@ void drop_outside(Work<Dim>& w) {
   });
 }
 
-template <int Dim, bool Shear, class Scheme, class EosModel>
-void update(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot, Cells cells,
+template <int Dim, bool Shear, class Scheme>
+void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slot, Cells cells,
             FaceTime faces, double dt, double weight, Account<Dim>& edges, Counters& counters,
             Scratch& scratch) {
   using C = Components<Dim>;
@@ -145,17 +146,11 @@ template <class Scheme, int Dim>
 void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, FaceTime faces, double dt,
                  double weight, Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   if (body.at(slot).matter.size() == 0) return;
-  const auto with = [&]<class EosModel>(const EosModel& eos) {
-    if constexpr (!is_fluid<EosModel>())
-      if (has_strength(body.material.strength))
-        return update<Dim, true, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters,
-                                         scratch);
-    update<Dim, false, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters, scratch);
-  };
-  if constexpr (std::is_same_v<Scheme, EnoLlf>)
-    with_any_eos(body.material.eos, with);  // its loops do not vectorise anyway
+  const AnyEos eos{body.material.eos};
+  if (has_strength(body.material.strength) && !is_fluid(eos.eos))
+    update<Dim, true, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters, scratch);
   else
-    std::visit(with, body.material.eos);
+    update<Dim, false, Scheme>(state, eos, body, slot, cells, faces, dt, weight, edges, counters, scratch);
 }
 
 }  // namespace

@@ -119,8 +119,9 @@ void move_shear(const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim
 }
 
 /// The values of one row of cells at both faces: waves averaged over the step.
-template <int Dim, int Axis, bool Shear, class EosModel>
-void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
+template <int Dim, int Axis, bool Shear>
+void move_by_waves(double g, bool has_extra, const Row<Dim>& in, int to, FaceValues<Dim>& low,
+                   FaceValues<Dim>& high) {
   using C = Components<Dim>;
   const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
   const double *rho = of(C::rho), *u = of(C::u + Axis), *z = in.impedance + in.first,
@@ -140,7 +141,7 @@ void move_by_waves(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, F
     for (int t = 0; t < Dim; ++t) sheared = sheared || (t != Axis && c == C::s + C::stress(Axis, t));
     if (only_normal || !sheared) plain(c);
   }
-  if constexpr (EosModel::barotropic) plain(C::extra);
+  if (has_extra) plain(C::extra);
   if constexpr (!Shear)
     for (int t = 0; t < Dim; ++t)
       if (t != Axis) plain(C::u + t);
@@ -255,8 +256,10 @@ void add_transverse(const Row<Dim>& in, int to, FaceValues<Dim>& w) {
 
 /// Moves the values of a row of cells at their low and high faces, written from place `to` on, from the
 /// start of the step to its middle.
-template <int Dim, int Axis, bool Shear, class EosModel>
-void move_half_step(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
+/// @param has_extra the matter keeps energy beside its equation of state.
+template <int Dim, int Axis, bool Shear>
+void move_half_step(double g, bool has_extra, const Row<Dim>& in, int to, FaceValues<Dim>& low,
+                    FaceValues<Dim>& high) {
   const double* loading = in.ahead->loading + in.first;
   struct Ends {
     Primitives<Dim> low, high;
@@ -269,7 +272,7 @@ void move_half_step(double g, const Row<Dim>& in, int to, FaceValues<Dim>& low, 
       if (loading[i] > 0)
         yielding[n++] = {end_of<Dim, Axis>(low, i + to), end_of<Dim, Axis>(high, i + to), i};
   if (n < in.count) {
-    move_by_waves<Dim, Axis, Shear, EosModel>(g, in, to, low, high);
+    move_by_waves<Dim, Axis, Shear>(g, has_extra, in, to, low, high);
     if constexpr (Shear) move_shear<Dim, Axis>(in, to, low, high);
     add_transverse<Dim, Axis>(in, to, low);
     add_transverse<Dim, Axis>(in, to, high);

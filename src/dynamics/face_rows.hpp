@@ -40,8 +40,8 @@ inline Span both(const Span& a, const Span& b) {
 }
 
 /// Faces across axis 0: a row of cells holds both sides of its row of faces.
-template <int Dim, bool Shear, class EosModel>
-void solve_along_rows(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+template <int Dim, bool Shear>
+void solve_along_rows(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
                       Counters& counters) {
   FaceValues<Dim> low, high;
   Box<Dim> rows = out.box;
@@ -63,8 +63,8 @@ void solve_along_rows(const EosModel& eos, double g, const Work<Dim>& w, const F
 
 /// Faces across another axis: row by row along it; what a row of cells has at its high faces waits for the
 /// next.
-template <int Dim, int Axis, bool Shear, class EosModel>
-void solve_across_rows(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+template <int Dim, int Axis, bool Shear>
+void solve_across_rows(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
                        Counters& counters) {
   FaceValues<Dim> low, high_a, high_b;
   FaceValues<Dim>*high = &high_a, *behind = &high_b;
@@ -98,8 +98,8 @@ void solve_across_rows(const EosModel& eos, double g, const Work<Dim>& w, const 
 }
 
 /// Faces of a scheme that knows rows of faces only.
-template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
-void solve_row_by_row(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+template <int Dim, int Axis, bool Shear, class Scheme>
+void solve_row_by_row(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
                       Counters& counters) {
   const std::ptrdiff_t step = w.window.stride(Axis);
   Box<Dim> rows = out.box;

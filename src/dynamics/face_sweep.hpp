@@ -16,22 +16,22 @@ namespace recoil::detail {
 /// The scheme of the faces: face_fluxes() of dynamics/flux.hpp or of dynamics/flux_llf.hpp.
 struct WenoHllc {
   static constexpr bool by_cells = true;  // reconstructs once per cell for both its faces
-  template <int Dim, int Axis, bool Shear, class EosModel>
-  static int fluxes(const EosModel& eos, double g, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+  template <int Dim, int Axis, bool Shear>
+  static int fluxes(const AnyEos& eos, double g, const Row<Dim>& in, const FaceFlux<Dim>& out) {
     return face_fluxes<Dim, Axis, Shear>(eos, g, in, out);
   }
 };
 struct EnoLlf {
   static constexpr bool by_cells = false;
-  template <int Dim, int Axis, bool Shear, class EosModel>
-  static int fluxes(const EosModel& eos, double g, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+  template <int Dim, int Axis, bool Shear>
+  static int fluxes(const AnyEos& eos, double g, const Row<Dim>& in, const FaceFlux<Dim>& out) {
     return face_fluxes_llf<Dim, Axis, Shear>(eos, g, in, out);
   }
 };
 
 /// A face whose stencil lacks values: the nearest value stands in for those beyond it.
-template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
-void poor_face(const EosModel& eos, double g, const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step,
+template <int Dim, int Axis, bool Shear, class Scheme>
+void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step,
                const FaceFlux<Dim>& out, Counters& counters) {
   using C = Components<Dim>;
   std::array<std::ptrdiff_t, 6> from{};
@@ -83,8 +83,8 @@ bool complete(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step) {
 }
 
 /// Nothing passes closed faces; those whose stencil lacks values are done on their own.
-template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
-void replace_inadmissible_faces(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+template <int Dim, int Axis, bool Shear, class Scheme>
+void replace_inadmissible_faces(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
                                 Counters& counters) {
   using C = Components<Dim>;
   const std::ptrdiff_t step = w.window.stride(Axis);
@@ -187,8 +187,8 @@ void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booke
 
 /// Fluxes through all faces across one axis, their open areas, and what they add to the block's cells.
 /// @param booked seconds with which what passes the edges of the domain is booked in `edges`.
-template <int Dim, int Axis, bool Shear, class Scheme, class EosModel>
-void sweep(const EosModel& eos, double g, const Geometry<Dim>& geometry, Work<Dim>& w, double booked,
+template <int Dim, int Axis, bool Shear, class Scheme>
+void sweep(const AnyEos& eos, double g, const Geometry<Dim>& geometry, Work<Dim>& w, double booked,
            Account<Dim>& edges, Counters& counters, Scratch& scratch) {
   const Scratch::Frame frame(scratch);
   Box<Dim> faces = w.cells;

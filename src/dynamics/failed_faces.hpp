@@ -30,8 +30,8 @@ struct CellSide {
   double impedance() const { return value[0] * sound; }
 };
 
-template <int Dim, int Axis, class EosModel>
-CellSide<Dim> side_of(const EosModel& eos, const StateBounds& bounds, const Work<Dim>& w, std::ptrdiff_t k) {
+template <int Dim, int Axis>
+CellSide<Dim> side_of(const AnyEos& eos, const StateBounds& bounds, const Work<Dim>& w, std::ptrdiff_t k) {
   using C = Components<Dim>;
   CellSide<Dim> s;
   for (std::size_t c = 0; c < s.value.size(); ++c) s.value[c] = w.primitive[c * w.wide + k];
@@ -58,15 +58,15 @@ Vec<Dim> parting_velocity(const CellSide<Dim>& s, double g, double out) {
 }
 
 /// Specific internal energy of a side, that of its voids with it.
-template <int Dim, class EosModel>
-double energy_of(const EosModel& eos, const Primitives<Dim>& w) {
+template <int Dim>
+double energy_of(const AnyEos& eos, const Primitives<Dim>& w) {
   using C = Components<Dim>;
   return eos.energy(w[C::rho], w[C::p]) + w[C::extra];
 }
 
 /// What one side sends through a face with the speed `mass`/area, without stress.
-template <int Dim, class EosModel>
-void add_free_flow(const EosModel& eos, const Primitives<Dim>& w, const Vec<Dim>& u, double mass,
+template <int Dim>
+void add_free_flow(const AnyEos& eos, const Primitives<Dim>& w, const Vec<Dim>& u, double mass,
                    const FaceFlux<Dim>& out) {
   using C = Components<Dim>;
   if (mass == 0) return;
@@ -77,8 +77,8 @@ void add_free_flow(const EosModel& eos, const Primitives<Dim>& w, const Vec<Dim>
 }
 
 /// The face between two cells by their averages: HLLC with the energy of voids.
-template <int Dim, int Axis, bool Shear, class EosModel>
-void solve_by_averages(const EosModel& eos, double g, const Work<Dim>& w, const CellSide<Dim>& low,
+template <int Dim, int Axis, bool Shear>
+void solve_by_averages(const AnyEos& eos, double g, const Work<Dim>& w, const CellSide<Dim>& low,
                        const CellSide<Dim>& high, std::ptrdiff_t at, const FaceFlux<Dim>& out) {
   using C = Components<Dim>;
   FaceValues<Dim> left, right;
@@ -89,7 +89,7 @@ void solve_by_averages(const EosModel& eos, double g, const Work<Dim>& w, const 
   left.stress[0] = low.stress;
   right.stress[0] = high.stress;
   solve_faces<Dim, Axis, Shear>(eos, g, w.row(at, w.window.stride(Axis), 1), left, 0, right, 0, out);
-  if constexpr (!EosModel::barotropic)
+  if (!eos.barotropic)
     *out.flux_of(C::energy) +=
         *out.flux_of(C::rho) * (*out.velocity_along(Axis) >= 0 ? low : high).value[C::extra];
 }
@@ -118,8 +118,8 @@ bool between_voids(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step) {
 /// Solves the faces beside failed matter again: by the averages of the cells where a void is in reach of the
 /// stencil; without any stress, each side on its own, where failed matter would bear tension.
 /// @param parted out: the faces of the second kind; @returns how many.
-template <int Dim, int Axis, bool Shear, class EosModel>
-int solve_failed_faces(const EosModel& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+template <int Dim, int Axis, bool Shear>
+int solve_failed_faces(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
                        PartedFace<Dim>* parted) {
   using C = Components<Dim>;
   const StateBounds bounds(eos, g);

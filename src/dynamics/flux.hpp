@@ -8,6 +8,7 @@
 #include "dynamics/face_values.hpp"
 #include "dynamics/primitives.hpp"
 #include "dynamics/reconstruction.hpp"
+#include "material/eos/any_eos.hpp"
 
 namespace recoil {
 
@@ -101,8 +102,8 @@ inline void reconstruct_turned(const Row<3>& in, int to, FaceValues<3>& low, Fac
 /// sigma +- Z u and tau +- Z_s v and of the remaining primitives, written from place `to` on, moved to the
 /// middle of the step where it has one stage (Row::ahead). p is left to solve_faces().
 /// @param Shear false for fluids: no shear waves at all.
-template <int Dim, int Axis, bool Shear, class EosModel>
-void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, int to, FaceValues<Dim>& low,
+template <int Dim, int Axis, bool Shear>
+void reconstruct(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, int to, FaceValues<Dim>& low,
                  FaceValues<Dim>& high) {
   using C = Components<Dim>;
   const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
@@ -113,7 +114,7 @@ void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, 
   plain(C::ep, 1e-12);
   plain(C::temperature_rise, 1e-6);
   if (in.fails) plain(C::damage, 1e-12);
-  if constexpr (EosModel::barotropic) plain(C::extra, 1e-2);
+  if (eos.barotropic) plain(C::extra, 1e-2);
 
   const double* z = in.impedance + in.first;
   detail::reconstruct_waves(
@@ -138,7 +139,7 @@ void reconstruct(const EosModel& eos, double shear_modulus, const Row<Dim>& in, 
     if (!(Shear && sheared) && !from_trace) plain(c, detail::stress_scale);
   }
   if constexpr (Dim == 3 && Axis == 2) detail::reconstruct_turned(in, to, low, high);
-  if (in.ahead) detail::move_half_step<Dim, Axis, Shear, EosModel>(shear_modulus, in, to, low, high);
+  if (in.ahead) detail::move_half_step<Dim, Axis, Shear>(shear_modulus, eos.barotropic, in, to, low, high);
   for (int c = C::ep; c < static_cast<int>(in.carried()); ++c)
     detail::keep_positive(of(c), in.count, low.value[c] + to, high.value[c] + to);
 }
@@ -150,9 +151,8 @@ struct StateBounds {
   double least_rho, least_c2;  // kg/m3, m2/s2
   double stiffness;            // 4/3 G [Pa]
 
-  template <class EosModel>
-  StateBounds(const EosModel& eos, double shear_modulus)
-      : least_rho(0.6 * density_range<EosModel>().least * eos.rho0),
+  StateBounds(const AnyEos& eos, double shear_modulus)
+      : least_rho(0.6 * density_range(eos).least * eos.rho0),
         least_c2(least_sound * bulk_sound_speed(eos) * bulk_sound_speed(eos)),
         stiffness(4.0 / 3 * shear_modulus) {}
 
@@ -179,19 +179,20 @@ struct FaceSide {
 /// Completes one side: p from the stress, and c_L into `sound`. States out of bounds are replaced by the
 /// average of their cell. @param shift distance in memory from a face's upper cell to the one on this side.
 /// @returns how many states were replaced.
-template <int Dim, int Axis, class EosModel>
-int complete_side(const EosModel& eos, StateBounds bounds, const Row<Dim>& in, std::ptrdiff_t shift,
+template <int Dim, int Axis>
+int complete_side(const AnyEos& eos, StateBounds bounds, const Row<Dim>& in, std::ptrdiff_t shift,
                   FaceValues<Dim>& w, int from, double* sound) {
   using C = Components<Dim>;
   const double *own = in.primitive + C::rho * in.cells + in.first + shift, *rho = w.value[C::rho] + from,
                *stress = w.stress + from;
   double* p = w.value[C::p] + from;
+#pragma omp simd
+  for (int i = 0; i < in.count; ++i) p[i] = normal_deviator<Dim, Axis>(w.value, i + from) - stress[i];
+  eos.sound_speeds_squared(rho, p, static_cast<std::size_t>(in.count), sound);
   int bad = 0;
 #pragma omp simd reduction(+ : bad)
   for (int i = 0; i < in.count; ++i) {
-    const double pressure = normal_deviator<Dim, Axis>(w.value, i + from) - stress[i];
-    const double c2 = eos.sound_speed_squared(rho[i], pressure);
-    p[i] = pressure;
+    const double c2 = sound[i];
     sound[i] = bounds.longitudinal_speed(rho[i], c2);
     bad += bounds.admit(rho[i], own[i], c2) ? 0 : 1;
   }
@@ -211,23 +212,20 @@ int complete_side(const EosModel& eos, StateBounds bounds, const Row<Dim>& in, s
 /// The waves along the axis: mass, normal momentum and energy, and the normal star velocity.
 /// @param inverse out: 1/m of the side that the face looks at, 0 where the whole fan goes one way; m is the
 /// mass per area and time that runs through that side's outer wave.
-template <int Dim, int Axis, class EosModel>
-[[gnu::always_inline]] inline void solve_normal_waves(const EosModel& eos, int count,
-                                                      const FaceSide<Dim>& left, const FaceSide<Dim>& right,
-                                                      const FaceFlux<Dim>& out, double* inverse) {
+template <int Dim, int Axis>
+[[gnu::always_inline]] inline void solve_normal_waves(const AnyEos& eos, int count, const FaceSide<Dim>& left,
+                                                      const FaceSide<Dim>& right, const FaceFlux<Dim>& out,
+                                                      double* inverse) {
   using C = Components<Dim>;
   constexpr std::size_t un = C::u + Axis;
   const double *rho_left = left.of(C::rho), *rho_right = right.of(C::rho), *u_left = left.of(un),
                *u_right = right.of(un), *s_left = left.stress(), *s_right = right.stress(),
                *p_left = left.of(C::p), *p_right = right.of(C::p), *c_left = left.sound,
                *c_right = right.sound;
-  const double *extra_left = nullptr, *extra_right = nullptr;
-  if constexpr (EosModel::barotropic) {
-    extra_left = left.of(C::extra);
-    extra_right = right.of(C::extra);
-  }
   double *mass_flux = out.flux_of(C::rho), *normal = out.flux_of(un), *power = out.flux_of(C::energy),
          *speed = out.velocity_along(Axis);
+  alignas(64) double rho_behind[longest_row], p_behind[longest_row], energy[longest_row],
+      kinetic[longest_row], work[longest_row];  // of the side that the face looks at
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
     const double rl = rho_left[i], rr = rho_right[i], ul = u_left[i], ur = u_right[i], sl = s_left[i],
@@ -239,17 +237,29 @@ template <int Dim, int Axis, class EosModel>
     const double wave = from_left ? low : high, m = from_left ? ml : mr;
     const bool beyond = (from_left & (low >= 0)) | (!from_left & (high <= 0));
     const double rho = from_left ? rl : rr, u = from_left ? ul : ur, s = from_left ? sl : sr;
-    double energy = eos.energy(rho, from_left ? p_left[i] : p_right[i]) + 0.5 * u * u;
-    if constexpr (EosModel::barotropic) energy += from_left ? extra_left[i] : extra_right[i];
     const double mass = beyond ? rho * u : m / (wave - star) * star;
     const double out_u = beyond ? u : star, out_s = beyond ? s : stress_star;
     const double per_m = beyond ? 0.0 : 1 / m;
+    rho_behind[i] = rho;
+    p_behind[i] = from_left ? p_left[i] : p_right[i];
+    kinetic[i] = 0.5 * u * u;
+    work[i] = (stress_star * star - s * u) * per_m;
     inverse[i] = per_m;
     mass_flux[i] = mass;
     normal[i] = mass * out_u - out_s;
-    power[i] = mass * (energy - (stress_star * star - s * u) * per_m) - out_s * out_u;
+    power[i] = out_s * out_u;
     speed[i] = out_u;
   }
+  eos.energies(rho_behind, p_behind, static_cast<std::size_t>(count), energy);
+#pragma omp simd
+  for (int i = 0; i < count; ++i) energy[i] += kinetic[i];
+  if (eos.barotropic) {
+    const double *extra_left = left.of(C::extra), *extra_right = right.of(C::extra);
+#pragma omp simd
+    for (int i = 0; i < count; ++i) energy[i] += speed[i] >= 0 ? extra_left[i] : extra_right[i];
+  }
+#pragma omp simd
+  for (int i = 0; i < count; ++i) power[i] = mass_flux[i] * (energy[i] - work[i]) - power[i];
 }
 
 /// The shear waves of a solid along axis t: its momentum and star velocity, and what they add to the energy.
@@ -302,8 +312,8 @@ template <int Dim, int Axis>
 /// row) and on their right: an HLLC solver whose wave speeds are elastic, with acoustic shear waves.
 /// Unphysical values fall back to the cell's own state, for which `in` is read.
 /// @returns how many values fell back.
-template <int Dim, int Axis, bool Shear, class EosModel>
-int solve_faces(const EosModel& eos, double shear_modulus, const Row<Dim>& in, FaceValues<Dim>& left_values,
+template <int Dim, int Axis, bool Shear>
+int solve_faces(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, FaceValues<Dim>& left_values,
                 int left_from, FaceValues<Dim>& right_values, int right_from, const FaceFlux<Dim>& out) {
   using C = Components<Dim>;
   const int count = in.count;
@@ -334,8 +344,8 @@ int solve_faces(const EosModel& eos, double shear_modulus, const Row<Dim>& in, F
 }
 
 /// reconstruct() and solve_faces() for a row of faces that stands alone. @returns how many values fell back.
-template <int Dim, int Axis, bool Shear, class EosModel>
-int face_fluxes(const EosModel& eos, double shear_modulus, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+template <int Dim, int Axis, bool Shear>
+int face_fluxes(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, const FaceFlux<Dim>& out) {
   FaceValues<Dim> left, right, beyond;
   Row<Dim> cells = in;
   cells.first = in.first - in.step;

@@ -18,13 +18,13 @@ struct CellFlux {
 
 /// The conserved quantities of a cell and what they flow with.
 /// @param at place of the cell in the arrays of `in`.
-template <int Dim, int Axis, bool Shear, class EosModel>
-CellFlux<Dim> cell_flux(const EosModel& eos, const Row<Dim>& in, std::ptrdiff_t at) {
+template <int Dim, int Axis, bool Shear>
+CellFlux<Dim> cell_flux(const AnyEos& eos, const Row<Dim>& in, std::ptrdiff_t at) {
   using C = Components<Dim>;
   const auto value = [&](int c) { return in.primitive[static_cast<std::size_t>(c) * in.cells + at]; };
   const double rho = value(C::rho), u = value(C::u + Axis);
   double energy = eos.energy(rho, value(C::p));
-  if constexpr (EosModel::barotropic) energy += value(C::extra);
+  if (eos.barotropic) energy += value(C::extra);
   CellFlux<Dim> f;
   f.contents[C::rho] = rho;
   for (int d = 0; d < Dim; ++d) {
@@ -50,8 +50,8 @@ CellFlux<Dim> cell_flux(const EosModel& eos, const Row<Dim>& in, std::ptrdiff_t 
 /// each conserved quantity, with a the larger signal speed of the two cells beside the face (local
 /// Lax-Friedrichs). The velocities are the means of both one-sided reconstructions.
 /// @returns 0: there is nothing to fall back to.
-template <int Dim, int Axis, bool Shear, class EosModel>
-int face_fluxes_llf(const EosModel& eos, double /*shear_modulus*/, const Row<Dim>& in,
+template <int Dim, int Axis, bool Shear>
+int face_fluxes_llf(const AnyEos& eos, double /*shear_modulus*/, const Row<Dim>& in,
                     const FaceFlux<Dim>& out) {
   using C = Components<Dim>;
   for (int i = 0; i < in.count; ++i) {

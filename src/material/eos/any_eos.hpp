@@ -1,35 +1,29 @@
 #pragma once
 
+#include <cstddef>
+
 #include "material/eos/eos.hpp"
 
 namespace recoil {
 
-/// Any equation of state where a type of its own is asked for, chosen anew in every call: for loops that need
-/// not be fast, and need not be compiled once for each kind.
-template <bool Barotropic>
+/// Any equation of state as one type. Kernels written for it are compiled once instead of once for each kind
+/// of equation of state; where they must be fast they ask for a row of states at a time.
 struct AnyEos {
   const Eos& eos;
   double rho0 = density(eos);  // kg/m3
+  bool barotropic = recoil::barotropic(eos);
 
-  static constexpr bool barotropic = Barotropic;
-
+  // Single states: each call finds out anew which equation of state it is.
   double pressure(double rho, double e) const { return recoil::pressure(eos, rho, e); }
   double energy(double rho, double p) const { return recoil::energy(eos, rho, p); }
   double sound_speed_squared(double rho, double p) const { return recoil::sound_speed_squared(eos, rho, p); }
+
+  // `count` states, adjacent in memory.
+  void energies(const double* rho, const double* p, std::size_t count, double* e) const;
+  void sound_speeds_squared(const double* rho, const double* p, std::size_t count, double* c2) const;
 };
 
-template <bool Barotropic>
-double bulk_sound_speed(const AnyEos<Barotropic>& any) {
-  return bulk_sound_speed(any.eos);
-}
-
-/// Calls f(any): an AnyEos.
-template <class F>
-void with_any_eos(const Eos& eos, const F& f) {
-  if (barotropic(eos))
-    f(AnyEos<true>{eos});
-  else
-    f(AnyEos<false>{eos});
-}
+inline double bulk_sound_speed(const AnyEos& any) { return bulk_sound_speed(any.eos); }
+inline DensityRange density_range(const AnyEos& any) { return density_range(any.eos); }
 
 }  // namespace recoil

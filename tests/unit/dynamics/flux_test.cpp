@@ -8,6 +8,7 @@
 
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"
+#include "material/eos/any_eos.hpp"
 
 namespace recoil {
 namespace {
@@ -40,6 +41,7 @@ template <int Dim, int Axis, bool Shear, class EosModel>
 Flux<Dim> across(const EosModel& eos, const std::vector<Primitives<Dim>>& cell) {
   using C = Components<Dim>;
   const double g = Shear ? shear_modulus : 0;
+  const Eos any = eos;
   std::vector<double> primitive(6 * C::primitives), stress(6), impedance(6), flux(C::contents), velocity(Dim);
   for (std::size_t k = 0; k < 6; ++k) {
     for (std::size_t c = 0; c < C::primitives; ++c) primitive[c * 6 + k] = cell[k][c];
@@ -48,7 +50,7 @@ Flux<Dim> across(const EosModel& eos, const std::vector<Primitives<Dim>>& cell) 
   }
   Flux<Dim> out;
   out.fallen = face_fluxes<Dim, Axis, Shear>(
-      eos, g, Row<Dim>{primitive.data(), stress.data(), impedance.data(), 6, 3, 1, 1, nullptr, true},
+      AnyEos{any}, g, Row<Dim>{primitive.data(), stress.data(), impedance.data(), 6, 3, 1, 1, nullptr, true},
       FaceFlux<Dim>{flux.data(), velocity.data(), 1, 0});
   std::copy(flux.begin(), flux.end(), out.flux.begin());
   for (int d = 0; d < Dim; ++d) out.velocity[d] = velocity[d];
@@ -292,8 +294,9 @@ TEST(FaceFluxesRow, FacesOfARowAreIndependent) {
   }
   constexpr int faces = cells - 5;
   std::vector<double> flux(faces * C::contents), velocity(faces * 2);
+  const Eos any = copper;
   face_fluxes<2, 0, true>(
-      copper, shear_modulus,
+      AnyEos{any}, shear_modulus,
       Row<2>{primitive.data(), stress.data(), impedance.data(), cells, 3, 1, faces, nullptr, true},
       FaceFlux<2>{flux.data(), velocity.data(), faces, 0});
   for (std::size_t f = 0; f < faces; ++f) {
