@@ -73,7 +73,7 @@ void gather_values(const Body<Dim>& body, int slot, const AnyEos& eos, double sh
     gather_primitives<C::damage>(body, slot, eos.rho0, w, scratch);
   if (w.fails) find_failed(w, scratch);
   w.impedance = scratch.take<double>(w.wide + vector_length);
-  const double c0 = bulk_sound_speed(eos), least = least_sound * c0 * c0;
+  const double least = least_sound_squared(eos);
   const double* rho = w.primitive;
   eos.sound_speeds_squared(rho, w.primitive + C::p * w.wide, w.wide, w.impedance);
 #pragma omp simd

@@ -153,7 +153,7 @@ struct StateBounds {
 
   StateBounds(const AnyEos& eos, double shear_modulus)
       : least_rho(0.6 * density_range(eos).least * eos.rho0),
-        least_c2(least_sound * bulk_sound_speed(eos) * bulk_sound_speed(eos)),
+        least_c2(least_sound_squared(eos)),
         stiffness(4.0 / 3 * shear_modulus) {}
 
   /// @param own density of the average of the cell that the state belongs to.

@@ -12,7 +12,7 @@ namespace recoil {
 namespace {
 
 constexpr double least_judged = 0.02;      // part of a cell below which a state is not judged
-constexpr double admissible_sound = 0.02;  // least c^2, of c0^2
+constexpr double admissible_sound = 0.02;  // least c^2 of a solid, of c0^2
 
 /// Of failed matter only the density is judged, and only from above: the rest of its cell is a void.
 template <int Dim, class EosModel>
@@ -26,8 +26,9 @@ template <int Dim, class EosModel>
   double momentum2 = 0;
   for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
   const double p = eos.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
-  const double c0 = bulk_sound_speed(eos);
-  const bool good = possible & (eos.sound_speed_squared(rho, p) >= admissible_sound * c0 * c0),
+  const double c0 = bulk_sound_speed(eos),
+               least = is_fluid<EosModel>() ? least_sound<EosModel>() : admissible_sound;
+  const bool good = possible & (eos.sound_speed_squared(rho, p) >= least * c0 * c0),
              dust = failed & (rho > 0) & (rho < range.most * eos.rho0);
   return !(good | dust);  // true for NaN
 }

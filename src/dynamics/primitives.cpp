@@ -174,7 +174,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   double fastest = 0;
   std::visit(
       [&](const auto& eos) {
-        const double c0 = bulk_sound_speed(eos), least = least_sound * c0 * c0;
+        const double least = least_sound_squared(eos);
         for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
           if ((b.role[k] & regular) == 0) return;
           const double rho = b.average[k], p = b.average[C::p * n + k];

@@ -9,9 +9,6 @@
 
 namespace recoil {
 
-/// Wave speeds use at least this part of c0^2; states below are counted.
-inline constexpr double least_sound = 0.05;
-
 /// Contents per volume of one cell to primitives.
 template <int Dim, class EosModel>
 Primitives<Dim> to_primitives(const EosModel& eos, const Contents<Dim>& q, double volume) {

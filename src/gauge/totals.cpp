@@ -216,7 +216,7 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
   const int bodies = state.count(), pairs = bodies * (bodies - 1) / 2;
   OrderedSums sums;  // items: all bodies, their edges, all pairs
   for (int m = 0; m < bodies; ++m) sums.item(A::sums, A::all - A::sums);
-  for (int m = 0; m < bodies; ++m) sums.item(2 + Dim);
+  for (int m = 0; m < bodies; ++m) sums.item(2 + Dim + 1);
   for (int p = 0; p < pairs; ++p) sums.item(2 + Dim + 3);
   const std::vector<double> rows = sum_blocks(state, team);
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
@@ -229,8 +229,12 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
         const auto from = (static_cast<std::size_t>(slot) * static_cast<std::size_t>(bodies) + e) * A::all;
         std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(from), A::all, sums.add(m, order).begin());
       }
-      if (e < ledger.edges.size() && !empty(ledger.edges[e]))
-        put(ledger.edges[e], sums.add(bodies + m, order));
+      const double released = e < ledger.released.size() ? ledger.released[e] : 0;
+      if (e < ledger.edges.size() && (!empty(ledger.edges[e]) || released != 0)) {
+        const std::span<double> row = sums.add(bodies + m, order);
+        put(ledger.edges[e], row);
+        row[2 + Dim] = released;
+      }
     }
     for (std::size_t p = 0; p < ledger.pairs.size(); ++p)
       if (!empty(ledger.pairs[p].exchanged)) {
@@ -248,6 +252,7 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
     end_at_edges(state.grid(), t.bodies.back());
     if (state.bodies[m].rigid) t.bodies.back() = rigid_totals(*state.bodies[m].rigid);
     t.edges.push_back(take_account<Dim>(sums.total(bodies + m)));
+    t.released.push_back(sums.total(bodies + m)[2 + Dim]);
   }
   for (int p = 0; p < pairs; ++p) {
     const std::span<const double> row = sums.total(2 * bodies + p);

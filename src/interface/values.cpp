@@ -64,10 +64,7 @@ void store(BodyBlock<Dim>& b, std::size_t n, int cell, const Primitives<Dim>& w)
 template <int Dim>
 double sound_squared(const Material& m, double rho, double p) {
   return std::visit(
-      [&](const auto& eos) {
-        const double c0 = bulk_sound_speed(eos);
-        return std::max(eos.sound_speed_squared(rho, p), least_sound * c0 * c0);
-      },
+      [&](const auto& eos) { return std::max(eos.sound_speed_squared(rho, p), least_sound_squared(eos)); },
       m.eos);
 }
 

@@ -320,8 +320,7 @@ SurfaceState<Dim> surface_state(const Material& material, const Primitives<Dim>&
   const double rho = value[C::rho], g = shear_modulus(material);
   const double c2 = std::visit(
       [&](const auto& eos) {
-        const double c0 = bulk_sound_speed(eos);
-        return std::max(eos.sound_speed_squared(rho, value[C::p]), least_sound * c0 * c0);
+        return std::max(eos.sound_speed_squared(rho, value[C::p]), least_sound_squared(eos));
       },
       material.eos);
   s.impedance = rho * std::sqrt(c2 + 4 * g / (3 * rho));

@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "core/error.hpp"
 #include "levelset/transport.hpp"
@@ -151,6 +153,14 @@ RigidMotion<Dim> rigid_motion(const Grid<Dim>& grid, const config::Body& from,
   Vec<3> spin;
   for (int d = 0; d < 3; ++d) spin[d] = from.spin[d];
   set_moving(m, first_components<Dim>(from.velocity), spin);
+  if (!from.velocity_history.empty()) {
+    m.history.emplace();
+    for (const config::TimedVelocity& t : from.velocity_history) {
+      m.history->times.push_back(t.time);
+      m.history->velocities.push_back(first_components<Dim>(t.velocity));
+    }
+    m.velocity = m.mean_velocity = m.history->at(0);
+  }
   m.start_centre = m.centre = first_components<Dim>(from.spin_centre);
   if (!(from.mass > 0)) return m;
   check_whole(grid, from.name, distance);
@@ -158,6 +168,20 @@ RigidMotion<Dim> rigid_motion(const Grid<Dim>& grid, const config::Body& from,
   for (int d = 0; d < 3; ++d) inertia[d] = from.inertia[d];
   set_free(m, from.mass / (grid.axisymmetric ? 2 * std::numbers::pi : 1), inertia);
   return m;
+}
+
+/// None where the body is not lit. What it is made of has been checked (app/check).
+template <int Dim>
+std::optional<DetonationFront<Dim>> detonation_front(const config::Body& from, const Material& material) {
+  const Jwl* explosive = std::get_if<Jwl>(&material.eos);
+  if (!explosive || from.detonation.points.empty()) return {};
+  DetonationFront<Dim> front;
+  for (const config::Vector& p : from.detonation.points) front.points.push_back(first_components<Dim>(p));
+  front.direction = first_components<Dim>(from.detonation.direction);
+  front.time = from.detonation.time;
+  front.velocity = explosive->detonation_velocity;
+  front.energy = explosive->detonated_energy();
+  return front;
 }
 
 /// A block's middle, and half of its diagonal and of its longest edge [m].
@@ -310,6 +334,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
     } else {
       body.material = materials[m];
       body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
+      body.detonation = detonation_front<Dim>(c.bodies[m], body.material);
     }
     state.bodies.push_back(std::move(body));
     place_body(state, static_cast<int>(m), c.bodies[m], distance[m]);
@@ -324,6 +349,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
     l.pairs.resize(n * (n - 1) / 2);
     l.edges.resize(n);
     l.failures.resize(n);
+    l.released.resize(n);
   }
   return state;
 }

@@ -44,6 +44,7 @@ typename BudgetWatch<Dim>::Sums BudgetWatch<Dim>::owed(const Totals<Dim>& t, int
     const auto e = static_cast<std::size_t>(m);
     add(1, {t.bodies[e].mass, t.bodies[e].energy, t.bodies[e].momentum});
     add(1, t.edges[e]);
+    if (e < t.released.size()) s.energy -= t.released[e];
     s.speed += t.bodies[e].speed;
     s.angular_momentum += t.bodies[e].angular_momentum;
   }

@@ -125,8 +125,9 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
   const bool by_energy = law.thermal().rule == Thermal::Rule::energy;
   const double solid = p.density / (1 - p.void_fraction);
   const double coldest = by_energy ? law.on_isentrope(solid) : law.thermal().initial_temperature;
-  note(StateCheck::negative_heat, coldest - (by_energy ? noise : no_heat) - p.temperature,
-       p.temperature - coldest, 0);
+  if (!body.detonation)  // temperatures of products are not known
+    note(StateCheck::negative_heat, coldest - (by_energy ? noise : no_heat) - p.temperature,
+         p.temperature - coldest, 0);
   if (fill < whole_fill) return;
   const double rho0 = density(body.material);
   const DensityRange range = density_range(body.material.eos);

@@ -13,6 +13,7 @@
 #include "material/material.hpp"
 #include "state/contact_list.hpp"
 #include "state/cut_cell.hpp"
+#include "state/detonation_front.hpp"
 #include "state/rigid_motion.hpp"
 
 namespace recoil {
@@ -63,6 +64,7 @@ struct Body {
   Material material;           // not used by rigid bodies
   TemperatureLaw temperature;  // of the material
   std::optional<RigidMotion<Dim>> rigid;
+  std::optional<DetonationFront<Dim>> detonation;
   std::vector<BodyBlock<Dim>> blocks;  // by slot
 
   BodyBlock<Dim>& at(int slot) { return blocks[slot]; }
@@ -131,6 +133,7 @@ struct BlockLedger {
   std::vector<PairRecord<Dim>> pairs;        // by pair_number
   std::vector<Account<Dim>> edges;           // by body: what left through the edges of the domain
   std::vector<FailureRecord<Dim>> failures;  // by body
+  std::vector<double> released;              // by body: energy of detonation [J]
   Counters counters;
 };
 

@@ -219,12 +219,13 @@ State<Dim> empty_on(Mesh<Dim>&& mesh, const State<Dim>& from) {
   for (const Body<Dim>& body : from.bodies) {
     Body<Dim>& b = to.bodies.emplace_back();
     b.name = body.name, b.material = body.material, b.temperature = body.temperature, b.rigid = body.rigid;
+    b.detonation = body.detonation;
     b.blocks.resize(slots);
   }
   to.contacts.resize(local);
   BlockLedger<Dim> none;
   const std::size_t n = from.bodies.size();
-  none.pairs.resize(n * (n - 1) / 2), none.edges.resize(n), none.failures.resize(n);
+  none.pairs.resize(n * (n - 1) / 2), none.edges.resize(n), none.failures.resize(n), none.released.resize(n);
   to.ledger.assign(local, none);
   return to;
 }

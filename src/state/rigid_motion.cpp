@@ -1,5 +1,6 @@
 #include "state/rigid_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -86,6 +87,46 @@ void set_moving(RigidMotion<Dim>& m, const Vec<Dim>& velocity, const Vec<3>& spi
 }
 
 template <int Dim>
+Vec<Dim> VelocityHistory<Dim>::at(double time) const {
+  if (time <= times.front()) return velocities.front();
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (time < times[k]) {
+      const double part = (time - times[k - 1]) / (times[k] - times[k - 1]);
+      return velocities[k - 1] + part * (velocities[k] - velocities[k - 1]);
+    }
+  return velocities.back();
+}
+
+template <int Dim>
+Vec<Dim> VelocityHistory<Dim>::mean(double from, double to) const {
+  if (!(to > from)) return at(from);
+  Vec<Dim> way;
+  double begin = from;
+  const auto go = [&](double end) {
+    way += (0.5 * (end - begin)) * (at(begin) + at(end));
+    begin = end;
+  };
+  for (const double t : times)
+    if (t > begin && t < to) go(t);
+  go(to);
+  return (1 / (to - from)) * way;
+}
+
+template <int Dim>
+double VelocityHistory<Dim>::fastest() const {
+  double most = 0;
+  for (const auto& u : velocities) most = std::max(most, norm(u));
+  return most;
+}
+
+template <int Dim>
+void follow_history(RigidMotion<Dim>& m, double time, double dt) {
+  if (!m.history) return;
+  m.mean_velocity = m.history->mean(time, time + dt);
+  m.velocity = m.history->at(time + dt);
+}
+
+template <int Dim>
 void set_free(RigidMotion<Dim>& m, double mass, const Vec<3>& inertia) {
   m.mass = RigidMass<Dim>{mass, inertia, mass * m.velocity, {}, 0, 0};
   for (int d = 0; d < 3; ++d)
@@ -116,6 +157,8 @@ void move_rigid(RigidMotion<Dim>& m, double dt, const Vec<Dim>& impulse, const V
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                      \
+  template struct VelocityHistory<Dim>;                                                              \
+  template void follow_history<Dim>(RigidMotion<Dim>&, double, double);                              \
   template Vec<Dim> velocity_at<Dim>(const RigidMotion<Dim>&, const Vec<Dim>&);                      \
   template RigidPose<Dim> pose_after<Dim>(const RigidMotion<Dim>&, double);                          \
   template double distance_at<Dim>(const RigidMotion<Dim>&, const RigidPose<Dim>&, const Vec<Dim>&); \

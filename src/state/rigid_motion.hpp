@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/vec.hpp"
 
@@ -22,6 +23,18 @@ struct RigidMass {
   double energy = 0;        // J: at the start, and what its contacts have given since
 };
 
+/// A prescribed velocity over time: straight lines between the times, constant before and after.
+template <int Dim>
+struct VelocityHistory {
+  std::vector<double> times;           // s, growing
+  std::vector<Vec<Dim>> velocities{};  // m/s
+
+  Vec<Dim> at(double time) const;
+  /// The mean from one time to a later one: what the body moves, over the time that it takes.
+  Vec<Dim> mean(double from, double to) const;
+  double fastest() const;  // m/s
+};
+
 /// A rigid body: a shape that moves as prescribed or, with a mass, as its contacts push it.
 template <int Dim>
 struct RigidMotion {
@@ -32,7 +45,8 @@ struct RigidMotion {
   Vec<3> mean_spin;
   Vec<Dim> start_centre, centre;  // the point that it turns about [m]
   Rotation turn{Vec<3>{{1, 0, 0}}, Vec<3>{{0, 1, 0}}, Vec<3>{{0, 0, 1}}};
-  std::optional<RigidMass<Dim>> mass;  // none: moves as prescribed
+  std::optional<RigidMass<Dim>> mass;             // none: moves as prescribed
+  std::optional<VelocityHistory<Dim>> history{};  // none: keeps its velocity
 };
 
 /// Where a rigid body is at one time.
@@ -65,6 +79,10 @@ double distance_at(const RigidMotion<Dim>& motion, const RigidPose<Dim>& pose, c
 /// Sets a body in motion; it keeps velocity [m/s] and spin [rad/s] unless it is set free.
 template <int Dim>
 void set_moving(RigidMotion<Dim>& motion, const Vec<Dim>& velocity, const Vec<3>& spin);
+
+/// The velocity of a body that has a history, for the step from `time` to `time + dt` [s].
+template <int Dim>
+void follow_history(RigidMotion<Dim>& motion, double time, double dt);
 
 /// Gives a body at rest or in motion a mass: what it keeps starts from its present velocity and spin.
 template <int Dim>

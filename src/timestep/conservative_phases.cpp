@@ -13,6 +13,8 @@
 #include "interface/fit.hpp"
 #include "interface/walls.hpp"
 #include "levelset/transport.hpp"
+#include "timestep/detonation.hpp"
+#include "timestep/rigid_bodies.hpp"
 
 namespace recoil {
 
@@ -23,6 +25,11 @@ using enum Field;
 constexpr double follow_rate = 0.02;  // part of the mismatch that phi takes up in a step
 
 }  // namespace
+
+template <int Dim>
+void drive_rigid_bodies(StepRun<Dim>& step, double dt) {
+  follow_velocity_histories(step.state(), dt);
+}
 
 template <int Dim>
 void find_walls(StepRun<Dim>& step, double dt, const Stage& stage) {
@@ -188,6 +195,19 @@ void open_voids(StepRun<Dim>& step) {
 }
 
 template <int Dim>
+void release_detonations(StepRun<Dim>& step, double dt) {
+  static constexpr FieldAccess access{"release detonations", {}, volume, contents};
+  State<Dim>& state = step.state();
+  const auto burns = [](const Body<Dim>& body) { return body.detonation.has_value(); };
+  if (std::none_of(state.bodies.begin(), state.bodies.end(), burns)) return;
+  step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    if (burns(body))
+      state.ledger[slot].released[&body - state.bodies.data()] +=
+          detonate(state, body, slot, state.time + dt);
+  });
+}
+
+template <int Dim>
 void clear_negative_strain(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"clear negative strain", {}, {}, contents};
   step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
@@ -196,6 +216,7 @@ void clear_negative_strain(StepRun<Dim>& step) {
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                          \
+  template void drive_rigid_bodies<Dim>(StepRun<Dim>&, double);          \
   template void find_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
   template void move_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
   template void update_matter<Dim>(StepRun<Dim>&, double, const Stage&); \
@@ -207,6 +228,7 @@ void clear_negative_strain(StepRun<Dim>& step) {
   template void bound_volumes<Dim>(StepRun<Dim>&);                       \
   template void restore_level_sets<Dim>(StepRun<Dim>&);                  \
   template void open_voids<Dim>(StepRun<Dim>&);                          \
+  template void release_detonations<Dim>(StepRun<Dim>&, double);         \
   template void clear_negative_strain<Dim>(StepRun<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -5,6 +5,9 @@
 /// Phases of the conservative scheme only.
 namespace recoil {
 
+/// The velocity of rigid bodies that have one over time, for this step.
+template <int Dim>
+void drive_rigid_bodies(StepRun<Dim>& step, double dt);
 /// Fits, contacts and walls of the start of a stage.
 template <int Dim>
 void find_walls(StepRun<Dim>& step, double dt, const Stage& stage);
@@ -33,6 +36,9 @@ void restore_level_sets(StepRun<Dim>& step);
 /// Opens the level sets of failed matter where its voids are resolved.
 template <int Dim>
 void open_voids(StepRun<Dim>& step);
+/// Explosives set free what their detonations bring until the end of the step.
+template <int Dim>
+void release_detonations(StepRun<Dim>& step, double dt);
 /// What is left of plastic strain below zero after the step; counted.
 template <int Dim>
 void clear_negative_strain(StepRun<Dim>& step);

@@ -104,7 +104,10 @@ double choose_length(StepRun<Dim>& step, const Stepping& stepping, double until)
     double& f = fastest[slot];
     f = std::max(f, fastest_signal(state, body, slot, step.counters(slot)));
   });
-  const double signal = step.engine().world.max(largest(fastest));
+  double signal = step.engine().world.max(largest(fastest));
+  for (const Body<Dim>& body : state.bodies)
+    if (body.rigid && body.rigid->history)
+      signal = std::max(signal, body.rigid->history->fastest() / state.grid().dx);
   const double stable = signal > 0 ? stepping.cfl / signal : until - state.time;
   const double dt = std::min(stepping.fixed_dt.value_or(stable), until - state.time);
   if (!(stable > shortest_step))

@@ -65,6 +65,12 @@ std::vector<Given<Dim>> given_to(const State<Dim>& state, const parallel::World&
 }  // namespace
 
 template <int Dim>
+void follow_velocity_histories(State<Dim>& state, double dt) {
+  for (Body<Dim>& body : state.bodies)
+    if (body.rigid) follow_history(*body.rigid, state.time, dt);
+}
+
+template <int Dim>
 void move_rigid_bodies(State<Dim>& state, const parallel::World& world, double dt) {
   std::vector<int> free;
   for (int m = 0; m < state.count(); ++m) {
@@ -84,6 +90,9 @@ void move_rigid_bodies(State<Dim>& state, const parallel::World& world, double d
   }
 }
 
+template void follow_velocity_histories<1>(State<1>&, double);
+template void follow_velocity_histories<2>(State<2>&, double);
+template void follow_velocity_histories<3>(State<3>&, double);
 template void move_rigid_bodies<1>(State<1>&, const parallel::World&, double);
 template void move_rigid_bodies<2>(State<2>&, const parallel::World&, double);
 template void move_rigid_bodies<3>(State<3>&, const parallel::World&, double);

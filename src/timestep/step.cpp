@@ -15,6 +15,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   // The start of the step: averages, the stable step, and the geometry half a step on.
   average_states(step);
   const double dt = choose_length(step, stepping, until);
+  drive_rigid_bodies(step, dt);
   const auto stages = stages_of(stepping.stages);
   if (stages.size() > 1) keep_old(step);
   advect_surfaces_half(step, dt);
@@ -47,6 +48,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   bound_volumes(step);
   average_inadmissible_states(step);
   clear_negative_strain(step);
+  release_detonations(step, dt);
   open_voids(step);
   update_bands(step);
 

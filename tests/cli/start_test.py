@@ -14,6 +14,7 @@ TEMPLATES = sorted(p.stem for p in (DATA / "templates").glob("*.toml"))
 QUICK = {
     "flyer": ["--set", "mesh.finest=0.2mm"],
     "spall": ["--set", "mesh.finest=0.04mm"],
+    "cylinder": ["--set", "mesh.finest=1.3mm", "--end", "1.5us"],
     "whipple": ["--set", "mesh.finest=0.4mm", "--end", "0.8us"],
     "taylor": ["--set", "mesh.finest=0.5mm", "--end", "2us"],
     "penetration": ["--set", "mesh.finest=0.8mm", "--end", "1us"],

@@ -101,6 +101,14 @@ ERRORS = [
     ([('title = "Flyer"', 'title = """Flyer')], "this quote is never closed", 2, 9, "behind the text"),
     ([('"Flyer"', '"Fl\udce4yer"')], "the byte 0xE4 is no UTF-8", 2, 12, "save the file as UTF-8"),
     ([('"Flyer"', '"\u00e4\udcff"')], "the byte 0xFF is no UTF-8", 2, 11, "save the file as UTF-8"),
+    ([("[gauge.rear]", 'detonation = { points = [{ x = "1 mm" }] }\n[gauge.rear]')],
+     "'target' is lit, but 'copper/ofhc-johnson-cook' is no explosive", 17, 14, 'of kind "jwl"'),
+    ([("[gauge.rear]", 'detonation = { points = [] }\n[gauge.rear]')], "'points' needs a list of positions", 17, 25, "e.g."),
+    ([('velocity = { x = "450 m/s" }', 'velocity-history = [["0 us", { x = "1 m/s" }], ["1 us", { x = "2 m/s" }]]')],
+     "'velocity-history' is for rigid bodies", 13, 1, "a rigid body can push it"),
+    ([('material = "aluminium/6061-t6"', "rigid = true"),
+      ('velocity = { x = "450 m/s" }', 'velocity-history = [["1 us", { x = "1 m/s" }], ["1 us", { x = "2 m/s" }]]')],
+     "the times of 'velocity-history' do not grow", 13, 49, "nanosecond"),
 ]
 
 # The same of warnings, which leave the case fit to run. A place of None: not checked.
@@ -121,6 +129,7 @@ WARNINGS = [
               '{ kind = "union", parts = [{ kind = "disc", radius = "2 mm", centre = { x = "-2.5 mm", y = "0 mm" } },'
               ' { kind = "box", x = ["-3 mm", "-2 mm"], y = ["1.5 mm", "2.1 mm"] }] }')],
      "'ball' is 3 cells thick", 12, "finest ="),
+    (FLYER, [('"copper/ofhc-johnson-cook"', '"explosive-products/tnt"')], "'target' is an explosive that nothing lights", 14, "detonation ="),
 ]
 
 # Words behind `run CASE`, and what is said of them.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/approach.hpp"
@@ -21,7 +22,8 @@ using config::Body;
 using config::Case;
 
 bool moves(const Body& b) {
-  return b.velocity != config::Vector{} || b.spin != config::Vector{} || b.radial_velocity != 0;
+  return b.velocity != config::Vector{} || b.spin != config::Vector{} || b.radial_velocity != 0 ||
+         !b.velocity_history.empty() || !b.detonation.points.empty();
 }
 
 double speed_of(const Body& b) { return std::hypot(b.velocity[0], b.velocity[1], b.velocity[2]); }
@@ -93,13 +95,41 @@ void check_parting(LoadedCase& loaded, const std::vector<Approach>& all) {
   }
 }
 
+/// Only explosives detonate, and only the conservative scheme knows how, or moves a body by its history.
+void check_drives(LoadedCase& loaded) {
+  const Case& c = loaded.contents;
+  for (std::size_t m = 0; m < c.bodies.size(); ++m) {
+    const Body& b = c.bodies[m];
+    const std::string path = "body." + b.name;
+    const bool lit = !b.detonation.points.empty(),
+               explosive = std::holds_alternative<Jwl>(loaded.materials[m].eos);
+    if (lit && !explosive)
+      loaded.found.error(place_of(loaded, path + ".detonation", b.place),
+                         fmt::format("'{}' is lit, but {} is no explosive", b.name,
+                                     b.rigid ? "a rigid body" : fmt::format("'{}'", b.material)),
+                         "explosives have an equation of state of kind \"jwl\": `recoil material list`");
+    if (!lit && explosive && !b.rigid)
+      loaded.found.warning(b.place,
+                           fmt::format("'{}' is an explosive that nothing lights: it stays cold", b.name),
+                           fmt::format("e.g. detonation = {{ points = [{{ {} = \"0 mm\" }}] }} in [{}]",
+                                       config::axes_of(c.domain.geometry).front(), path));
+    for (const auto& [key, given] :
+         {std::pair("detonation", lit), std::pair("velocity-history", !b.velocity_history.empty())})
+      if (given && c.method.scheme != "conservative")
+        loaded.found.error(place_of(loaded, path + "." + key, b.place),
+                           fmt::format("'{}' needs method.scheme = \"conservative\"", key),
+                           "remove method.scheme");
+  }
+}
+
 }  // namespace
 
 void check_motion(LoadedCase& loaded) {
+  check_drives(loaded);
   const Case& c = loaded.contents;
   if (std::none_of(c.bodies.begin(), c.bodies.end(), moves)) {
     loaded.found.error(c.bodies.front().place,
-                       "nothing moves: no body has a velocity, a spin or a radial-velocity",
+                       "nothing moves: no body has a velocity, a spin, a radial-velocity or a detonation",
                        fmt::format("e.g. velocity = {{ {} = \"450 m/s\" }} in [body.{}]",
                                    config::axes_of(c.domain.geometry).front(), c.bodies.front().name));
     return;

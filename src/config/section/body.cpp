@@ -75,6 +75,29 @@ Custom<Body> custom_shape() {
           }};
 }
 
+Custom<Body> custom_detonation() {
+  return {Key::Type::table, true,
+          [](Body& body, const TableReading& reading, const Key& key) {
+            read_struct(*reading.record.node(key.name), body.detonation, reading.in);
+          },
+          [](const Body& body, const char*, const Writing& how) {
+            return inline_table(written_keys(body.detonation, how));
+          },
+          [](const std::string& path, std::vector<Section>& all) { add_sections<Detonation>(path, all); }};
+}
+
+/// A velocity over time is that of a rigid body that nothing else moves.
+void check_history(const Body& body, const TableReading& reading) {
+  if (!reading.has("velocity-history")) return;
+  if (!body.rigid)
+    reading.refuse("velocity-history", "'velocity-history' is for rigid bodies",
+                   "matter moves by its own laws; a rigid body can push it");
+  for (const char* key : {"velocity", "mass"})
+    if (reading.has(key))
+      reading.refuse(key, fmt::format("'{}' and 'velocity-history' do not go together", key),
+                     "the history says all of the velocity");
+}
+
 void check_material(const Body& body, const TableReading& reading) {
   if (body.rigid && reading.has("material"))
     reading.refuse("material", fmt::format("rigid body '{}' has a material", body.name),
@@ -209,7 +232,19 @@ Entries<Body> keys_of_start() {
        .unit = "m",
        .doc = "the point that it flies away from",
        .example = R"({ x = "0 mm", y = "0 mm" })",
-       .when = [](const Body& b) { return b.radial_velocity != 0 && !b.radial_from_axis; }}};
+       .when = [](const Body& b) { return b.radial_velocity != 0 && !b.radial_from_axis; }},
+      {.name = "velocity-history",
+       .member = custom_velocity_history(),
+       .unit = "m/s",
+       .doc = "of a rigid body, over time: pairs of a time and a velocity; straight lines between them, "
+              "constant before the first and after the last",
+       .example = R"([["0 us", { x = "0 m/s" }], ["2 us", { x = "100 m/s" }]])",
+       .when = [](const Body& b) { return !b.velocity_history.empty(); }},
+      {.name = "detonation",
+       .member = custom_detonation(),
+       .doc = "lights an explosive, a material with an equation of state of kind \"jwl\"",
+       .example = R"({ points = [{ x = "0 mm" }] })",
+       .when = [](const Body& b) { return !b.detonation.points.empty(); }}};
 }
 
 }  // namespace
@@ -225,6 +260,7 @@ void Body::check(const TableReading& reading) {
   check_free_body(*this, reading);
   check_spin(*this, reading);
   check_radial(*this, reading);
+  check_history(*this, reading);
   if (is_free(*this)) spin_centre = centre_of_mass;
 }
 

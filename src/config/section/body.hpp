@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "config/section/detonation.hpp"
+#include "config/section/velocity_history.hpp"
 #include "config/shape/shape.hpp"
 
 namespace recoil::config {
@@ -16,12 +18,14 @@ struct Body {
   Vector inertia{};         // kg m2 (planar: kg m, [2] only), about the centre of mass, along the axes
   Vector centre_of_mass{};  // m
   Shape shape;
-  Vector velocity{};              // m/s
-  Vector spin{};                  // rad/s about spin_centre; planar: [2] only
-  Vector spin_centre{};           // m
-  double radial_velocity = 0;     // m/s, away from radial_centre
-  Vector radial_centre{};         // m
-  bool radial_from_axis = false;  // away from the axis of an axisymmetric domain instead
+  Vector velocity{};                            // m/s
+  Vector spin{};                                // rad/s about spin_centre; planar: [2] only
+  Vector spin_centre{};                         // m
+  double radial_velocity = 0;                   // m/s, away from radial_centre
+  Vector radial_centre{};                       // m
+  bool radial_from_axis = false;                // away from the axis of an axisymmetric domain instead
+  std::vector<TimedVelocity> velocity_history;  // of a rigid body; empty: it keeps its velocity
+  Detonation detonation;
   Place place = {}, material_place = {};
 
   static constexpr const char* doc =

@@ -24,6 +24,7 @@ struct AnyEos {
 };
 
 inline double bulk_sound_speed(const AnyEos& any) { return bulk_sound_speed(any.eos); }
+inline double least_sound_squared(const AnyEos& any) { return least_sound_squared(any.eos); }
 inline DensityRange density_range(const AnyEos& any) { return density_range(any.eos); }
 
 }  // namespace recoil

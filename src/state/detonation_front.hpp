@@ -1,0 +1,36 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/vec.hpp"
+
+namespace recoil {
+
+/// A detonation that runs through an explosive as prescribed, whatever the matter does: from lighting points
+/// in all directions, or as a plane, with the measured velocity (programmed burn: Wilkins, Computer
+/// Simulation of Dynamic Phenomena, 1999). Contents hold the part that has detonated in the place of the
+/// plastic strain, which a fluid has no use for.
+template <int Dim>
+struct DetonationFront {
+  std::vector<Vec<Dim>> points;  // m, where it is lit
+  Vec<Dim> direction;            // of a plane front through the first point; 0: spherical fronts
+  double time = 0;               // s, of lighting
+  double velocity = 0;           // m/s
+  double energy = 0;             // J/kg that the explosive sets free
+
+  /// When the front reaches x [s].
+  double arrival(const Vec<Dim>& x) const {
+    if (dot(direction, direction) > 0) return time + std::abs(dot(x - points[0], direction)) / velocity;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec<Dim>& p : points) nearest = std::min(nearest, norm(x - p));
+    return time + nearest / velocity;
+  }
+};
+
+/// Over how many cells the front sets its energy free.
+inline constexpr double front_cells = 3;
+
+}  // namespace recoil
