@@ -34,8 +34,9 @@ def write_case(file, template, *changes):
     file.write_text(text)
 
 
-def plates(file, end="0.4 us"):
-    write_case(file, "templates/flyer.toml", (r'finest = "0.05 mm"', 'finest = "0.2 mm"'), (r'end = "4 us"', f'end = "{end}"'))
+def plates(file, end="0.4 us", frames="0.1 us"):
+    write_case(file, "templates/flyer.toml", (r'finest = "0.05 mm"', 'finest = "0.2 mm"'), (r'end = "4 us"', f'end = "{end}"'),
+               (r'fields = { every = "0.05 us" }', f'fields = {{ every = "{frames}" }}'))  # fmt: skip
 
 
 def prepare_readme(folder):
@@ -45,14 +46,15 @@ def prepare_readme(folder):
 
 
 def prepare_run_a_case(folder):
-    plates(folder / "my.toml", "3.2 us")
+    plates(folder / "my.toml", "3.2 us", "1 us")
     (folder / "measured.csv").write_text("time [us],velocity [m/s]\n0,0\n1,10\n")
     (folder / "outline.csv").write_text("time [us],r [mm],z [mm]\n0,1,0\n0,2,1\n")
     for name, case, size in (("disc", "flyer_axisymmetric", "1 mm"), ("sphere", "sphere_on_plate", "2.5 mm")):
         write_case(folder / f"{name}.toml", f"cases/{case}/case.toml", (r'finest += "[^"]*"', f'finest = "{size}"'),
                    (r'(?m)^end += "[^"]*"', 'end = "1 us"'))  # fmt: skip
     for case in ("disc", "sphere"):
-        done = recoil("run", f"{case}.toml", "-q", "-j", 1, "--set", "output.report=false", cwd=folder)
+        settings = ("--set", "output.report=false", "--set", "output.fields.every=1us")
+        done = recoil("run", f"{case}.toml", "-q", "-j", 1, *settings, cwd=folder)
         assert done.returncode in (0, 5, 6), done.stdout + done.stderr
 
 
