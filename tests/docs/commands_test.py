@@ -191,7 +191,7 @@ class Parsed(unittest.TestCase):
                 self.assertIsNone(self.declared.mistake(words, whole=False), f"{page}:{line}: {text}")
 
     def test_mistakes_are_found(self):
-        for words in (["rnu", "a"], ["run"], ["run", "a", "b"], ["run", "a", "--thread", "2"], ["material", "shwo", "a"],
+        for words in (["rnu", "a"], ["run"], ["run", "a", "b"], ["run", "a", "--thread", "2"], ["material", "lits", "a"],
                       ["plot", "a"], ["run", "a", "-o"], ["doctor", "--set", "a=1"]):  # fmt: skip
             self.assertIsNotNone(self.declared.mistake(words), words)
 
