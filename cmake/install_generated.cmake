@@ -30,7 +30,7 @@ function(put_documents package)
   put(copyright "share/doc/${package}" copyright)
   file(WRITE "${recoil_work_dir}/changelog" "${package} (${version}) unstable; urgency=medium
 
-  * As of ${version}; the folder docs/changes of the source tells what is new.
+  * As of ${version}. What is new: docs/changes in the source.
 
  -- The Recoil developers <recoil@recoil.invalid>  ${date}
 ")
