@@ -19,7 +19,7 @@ CLEAN = {name: value for name, value in os.environ.items() if name not in OWN}
 
 
 def say(*words, code=0, **options):
-    done = subprocess.run([str(w) for w in words], capture_output=True, text=True, timeout=120, check=False, **options)
+    done = subprocess.run([str(w) for w in words], capture_output=True, text=True, timeout=300, check=False, **options)
     if done.returncode != code:
         raise AssertionError(f"{words} ended with {done.returncode}\n{done.stdout}{done.stderr}")
     return done.stdout

@@ -21,7 +21,7 @@ PROGRAM = os.environ["RECOIL_PROGRAM"]
 
 
 def recoil(*words, **options):
-    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=120, check=False, **options)
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=300, check=False, **options)
 
 
 def write_case(file, template, *changes):
@@ -103,7 +103,7 @@ class Sandbox(unittest.TestCase):
         self.environment = os.environ | {"PATH": f"{programs}:{os.environ['PATH']}"}
 
     def shell(self, text):
-        return subprocess.run(["bash", "-ec", text], cwd=self.folder, env=self.environment, timeout=120,
+        return subprocess.run(["bash", "-ec", text], cwd=self.folder, env=self.environment, timeout=300,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)  # fmt: skip
 
 
@@ -153,11 +153,11 @@ class Cluster(Sandbox):
         (self.folder / "programs" / "scontrol").chmod(0o755)
         slurm = {"SLURM_NTASKS": "2", "SLURM_CPUS_PER_TASK": "1", "SLURM_JOB_ID": "17", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
         first = subprocess.run(["bash", "-c", script.replace("230min", "0.1s")], cwd=self.folder, env=self.environment | slurm,
-                               capture_output=True, text=True, timeout=120, check=False)  # fmt: skip
+                               capture_output=True, text=True, timeout=300, check=False)  # fmt: skip
         self.assertEqual(first.returncode, 75, first.stdout + first.stderr)
         self.assertEqual((self.folder / "requeued").read_text(), "requeue 17\n")
         second = subprocess.run(["bash", "-c", script], cwd=self.folder, env=self.environment | slurm,
-                                capture_output=True, text=True, timeout=120, check=False)  # fmt: skip
+                                capture_output=True, text=True, timeout=300, check=False)  # fmt: skip
         self.assertEqual(second.returncode, 0, second.stdout + second.stderr)
         self.assertIn("finished at 4 us", second.stdout)
         self.assertEqual((self.folder / "requeued").read_text(), "requeue 17\n")
