@@ -4,25 +4,31 @@
 JOBS   ?= $(shell nproc)
 PYTHON ?= /usr/bin/python3
 WERROR ?= OFF
+PREFIX ?= /usr/local
 
 STEP     := @tools/step
 RELEASE  := build/release
 TEST     := build/test
 COVERAGE := build/coverage
+PACKAGE  := build/package
+SITE     := build/site
 DEMO     := runs/flyer_al_cu
 
 # Containers run as root and on fewer cores than ranks.
 export OMPI_ALLOW_RUN_AS_ROOT = 1
 export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM = 1
 
-.PHONY: help build demo test layers unit-tests coverage bench docs format clean packages packages-test
+.PHONY: help build demo install deb test layers unit-tests coverage bench docs site format clean packages packages-test
 
 help:
 	@echo "make demo     install what is missing, build for this machine, run the flyer plate, draw its gauge"
+	@echo "make install  copy the program, its data, manual page and Python package to PREFIX ($(PREFIX)); DESTDIR is obeyed"
+	@echo "make deb      make Debian packages in $(PACKAGE)/"
 	@echo "make test     build a portable binary, run the quick tests, check the layers and sizes of the source"
 	@echo "make coverage run the tests and count the lines that they reach; results in $(COVERAGE)/index.html"
 	@echo "make bench    build and run the timed kernels; results in build/bench.json"
 	@echo "make docs     write docs/reference/ from the program's own registry of keys"
+	@echo "make site     make a site of docs/: $(SITE)/html/index.html"
 	@echo "make format   bring the C++ files into the form of .clang-format"
 	@echo "make clean    remove build/ (runs/ stays)"
 
@@ -47,6 +53,17 @@ demo: build
 	@echo "results   $(DEMO)/"
 	@echo "picture   $(DEMO)/rear.png"
 	@echo "program   $(RELEASE)/recoil --help"
+
+install: build
+	$(STEP) "Install below $(DESTDIR)$(PREFIX)" sh -c 'cmake --install $(RELEASE) --prefix "$(PREFIX)" > $(RELEASE)/install.log'
+
+deb: packages
+	$(STEP) "Debian packages to make packages" tools/install_packages deb
+	$(STEP) "Configure $(PACKAGE)" tools/configure $(PACKAGE)
+	$(STEP) "Build a portable program (some minutes the first time)" cmake --build $(PACKAGE) -j $(JOBS) --target recoil
+	@rm -f $(PACKAGE)/*.deb
+	$(STEP) "Make packages of it" sh -c 'cd $(PACKAGE) && cpack > cpack.log || { cat cpack.log >&2; exit 1; }'
+	@ls $(PACKAGE)/*.deb
 
 test: layers unit-tests
 
@@ -83,6 +100,10 @@ docs: build
 	  sh -c '$(RELEASE)/recoil commands > docs/reference/commands.md'
 	$(STEP) "Schema of the case file, for editors" \
 	  sh -c '$(RELEASE)/recoil schema > docs/reference/recoil-case-1.schema.json'
+
+site:
+	$(STEP) "Debian packages to build the site" tools/install_packages site
+	$(STEP) "Documentation as a site; warnings are errors" tools/build_site $(SITE)
 
 format:
 	$(STEP) "clang-format" tools/check_format --fix

@@ -18,7 +18,7 @@ int cite(const std::string& word) {
       "@misc{{recoil,\n  author  = {{{{The Recoil developers}}}},\n  title   = {{Recoil: a hydrocode for the "
       "impact "
       "of solids with sharp interfaces}},\n  version = {{{}}},\n  note    = {{{}}}\n}}\n",
-      build_info::version, build_info::describe);
+      build_info::version, build_info::full_version);
   for (const Source& s : sources_of(loaded)) {
     if (s.bibtex.empty())
       fmt::print("\n% '{}' is cited, but in no references.bib beside the case or in materials/\n", s.key);

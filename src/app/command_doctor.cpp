@@ -114,8 +114,7 @@ Finding movies() {
 int doctor() {
   using namespace build_info;
   bool fails = false;
-  fmt::print("ok    {:<11} {} ({}, {}{})\n", "recoil", version, describe, build_type,
-             native ? ", native" : "");
+  fmt::print("ok    {:<11} {} ({}{})\n", "recoil", full_version, build_type, native ? ", native" : "");
   for (const Finding& f :
        {data(), processors(), memory(), disk(), mpi(), hdf5(), locale(), report_page(), movies()}) {
     fmt::print("{:<5} {:<11} {}\n", f.fails ? "FAIL" : f.cure.empty() ? "ok" : "warn", f.what, f.text);

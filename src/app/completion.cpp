@@ -159,7 +159,8 @@ std::string zsh_script(const std::vector<CommandWords>& all) {
          cases +
          "  esac\n"
          "}\n"
-         "compdef _recoil recoil\n";
+         // As a file _recoil on zsh's fpath this is the body of a function of that name; else it is sourced.
+         "if [[ ${funcstack[1]} == _recoil ]]; then _recoil \"$@\"; else compdef _recoil recoil; fi\n";
 }
 
 std::string fish_quoted(const std::string& text) {

@@ -17,7 +17,7 @@ namespace {
 
 std::string version_text() {
   using namespace build_info;
-  return fmt::format("recoil {} ({}, {}, {}{})", version, describe, compiler, build_type,
+  return fmt::format("recoil {} ({}, {}{})", full_version, compiler, build_type,
                      native ? ", for this machine's processor" : "");
 }
 

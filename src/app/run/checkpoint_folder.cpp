@@ -31,7 +31,7 @@ bool may_change(const std::string& key) {
 
 CheckpointText describe(const LoadedCase& loaded, const std::vector<std::string>& overrides) {
   CheckpointText text;
-  text.version = fmt::format("{} ({})", build_info::version, build_info::describe);
+  text.version = build_info::full_version;
   text.case_file = fs::absolute(loaded.contents.file).lexically_normal().string();
   text.overrides = overrides;
   for (const config::WrittenTable& table : config::written_tables(loaded.contents))

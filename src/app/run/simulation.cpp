@@ -43,8 +43,8 @@ std::filesystem::path write_crash(const SimulationOptions& options, const State<
   const std::filesystem::path folder = options.folder / "crash";
   std::filesystem::create_directories(folder);
   std::string text =
-      fmt::format("{}\ntime {:.9g} us, step {}, last dt {:.6g} ns, process {}\nrecoil {} ({})\n", what,
-                  state.time * 1e6, state.step, dt * 1e9, rank, build_info::version, build_info::describe);
+      fmt::format("{}\ntime {:.9g} us, step {}, last dt {:.6g} ns, process {}\nrecoil {}\n", what,
+                  state.time * 1e6, state.step, dt * 1e9, rank, build_info::full_version);
   text += "counted so far\n";
   Counters sum;
   for (const BlockLedger<Dim>& ledger : state.ledger) sum += ledger.counters;
@@ -136,7 +136,7 @@ double Simulation<Dim>::wall() const {
 template <int Dim>
 RunFacts Simulation<Dim>::facts() const {
   RunFacts f;
-  f.version = fmt::format("{} ({})", build_info::version, build_info::describe);
+  f.version = build_info::full_version;
   f.averaged = &engine_.averaged;
   f.wall_s = wall();
   return f;
