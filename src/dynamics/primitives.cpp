@@ -164,6 +164,21 @@ void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Coun
   if (can_fail(body.material.damage)) relieve_averages(state, body, slot);
 }
 
+/// Twice the largest speed of the surfaces of a gas in the last step [m/s]. Into a void they run ahead of all
+/// signals within, and faster in each step.
+template <int Dim>
+double gas_surface_speed(const BodyBlock<Dim>& b) {
+  const std::size_t n = b.volume.size();
+  double most2 = 0;
+  for (std::size_t k = 0; b.near_surface && k < n; ++k) {
+    double u2 = 0;
+    for (std::size_t d = 0; d < Dim; ++d)
+      u2 += b.extension_velocity[d * n + k] * b.extension_velocity[d * n + k];
+    most2 = std::max(most2, u2);
+  }
+  return 2 * std::sqrt(most2);
+}
+
 template <int Dim>
 double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, Counters& counters) {
   using C = Components<Dim>;
@@ -192,6 +207,8 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
         });
       },
       body.material.eos);
+  if (is_fluid(body.material.eos)) fastest = std::max(fastest, gas_surface_speed(b));
+  if (body.detonation) fastest = std::max(fastest, body.detonation->velocity);
   return fastest / state.grid(slot).dx;
 }
 

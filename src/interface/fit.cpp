@@ -227,7 +227,7 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& 
     if (c == C::p) mean_p = mean;
   }
   const double rho = wall.value[C::rho];
-  const double c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_sound_squared(eos));
+  const double c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_wall_sound_squared(eos));
   const double change = (wall.value[C::p] - mean_p) / c2,
                kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
   if (kept != change) ++counters.clamped_fit_densities;
@@ -264,7 +264,7 @@ void move_fit(const EosModel& eos, const Grid<Dim>& grid, const Body<Dim>& body,
     working += working_along<Dim, d>(w, slope[d]);
   });
   const double g = shear_modulus(body.material);
-  const double c2 = std::max(eos.sound_speed_squared(w[C::rho], w[C::p]), least_sound_squared(eos));
+  const double c2 = std::max(eos.sound_speed_squared(w[C::rho], w[C::p]), least_wall_sound_squared(eos));
   const Response m{w[C::rho] * c2, g, g > 0 ? loading_of(eos, body, w, working) : 0};
   Primitives<Dim> rate{};
   for_each_axis<Dim>([&](auto d) {

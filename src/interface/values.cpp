@@ -64,7 +64,9 @@ void store(BodyBlock<Dim>& b, std::size_t n, int cell, const Primitives<Dim>& w)
 template <int Dim>
 double sound_squared(const Material& m, double rho, double p) {
   return std::visit(
-      [&](const auto& eos) { return std::max(eos.sound_speed_squared(rho, p), least_sound_squared(eos)); },
+      [&](const auto& eos) {
+        return std::max(eos.sound_speed_squared(rho, p), least_wall_sound_squared(eos));
+      },
       m.eos);
 }
 

@@ -320,7 +320,7 @@ SurfaceState<Dim> surface_state(const Material& material, const Primitives<Dim>&
   const double rho = value[C::rho], g = shear_modulus(material);
   const double c2 = std::visit(
       [&](const auto& eos) {
-        return std::max(eos.sound_speed_squared(rho, value[C::p]), least_sound_squared(eos));
+        return std::max(eos.sound_speed_squared(rho, value[C::p]), least_wall_sound_squared(eos));
       },
       material.eos);
   s.impedance = rho * std::sqrt(c2 + 4 * g / (3 * rho));

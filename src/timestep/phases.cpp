@@ -97,7 +97,7 @@ void refresh_averages(StepRun<Dim>& step) {
 
 template <int Dim>
 double choose_length(StepRun<Dim>& step, const Stepping& stepping, double until) {
-  static constexpr FieldAccess access{"choose length", {}, role | average, {}};
+  static constexpr FieldAccess access{"choose length", {}, role | average | extension_velocity, {}};
   const State<Dim>& state = step.state();
   std::vector<double> fastest(static_cast<std::size_t>(state.mesh.local()), 0);
   step.for_each_body(StepPhase::averages, access, [&](Body<Dim>& body, int slot, Scratch&) {

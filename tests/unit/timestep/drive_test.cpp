@@ -81,7 +81,8 @@ TYPED_TEST(Detonations, SetFreeTheEnergyOfWhatHasDetonated) {
 
 TYPED_TEST(Detonations, DoNotKnowBlocks) {
   constexpr int dim = TestFixture::dim;
-  TestRun<dim> one(charge<dim>(0, 0.25 * mm, 16), {explosive()}), other(charge<dim>(0, 0.25 * mm, 32), {explosive()});
+  TestRun<dim> one(charge<dim>(0, 0.25 * mm, 16), {explosive()}),
+      other(charge<dim>(0, 0.25 * mm, 32), {explosive()});
   one.steps(dim == 3 ? 3 : 20), other.steps(dim == 3 ? 3 : 20);
   EXPECT_EQ(one.cells(0), other.cells(0));
 }
