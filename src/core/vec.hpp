@@ -52,20 +52,6 @@ inline Vec<Dim> unit(const Vec<Dim>& a) {
   return n > 0 ? a * (1 / n) : Vec<Dim>{};
 }
 
-/// a x b, where planar vectors lie in the plane of the first two axes.
-template <int Dim>
-Vec<3> cross(const Vec<Dim>& a, const Vec<Dim>& b) {
-  Vec<3> p, q;
-  for (int d = 0; d < Dim; ++d) p[d] = a[d], q[d] = b[d];
-  return {{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}};
-}
-
-/// v turned by an angle [rad] about an axis of length 1 through the origin (Rodrigues' formula).
-inline Vec<3> turned(const Vec<3>& v, const Vec<3>& axis, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return c * v + s * cross(axis, v) + ((1 - c) * dot(axis, v)) * axis;
-}
-
 /// The axis along which |a| is largest; the lower one of equals.
 template <int Dim>
 constexpr int main_axis(const Vec<Dim>& a) {

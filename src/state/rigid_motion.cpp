@@ -33,10 +33,11 @@ Rotation turned(const Rotation& turn, const Vec<3>& angle) {
   const double size = norm(angle);
   if (size == 0) return turn;
   const Vec<3> axis = angle * (1 / size);
+  const double c = std::cos(size), s = std::sin(size);
   Rotation out;
   for (int column = 0; column < 3; ++column) {
     const Vec<3> v{{turn[0][column], turn[1][column], turn[2][column]}};
-    const Vec<3> w = turned(v, axis, size);
+    const Vec<3> w = c * v + s * cross(axis, v) + ((1 - c) * dot(axis, v)) * axis;
     for (std::size_t row = 0; row < 3; ++row) out[row][column] = w[static_cast<int>(row)];
   }
   return out;

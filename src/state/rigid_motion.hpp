@@ -56,6 +56,14 @@ struct RigidPose {
   Rotation turn;
 };
 
+/// a x b, where planar vectors lie in the plane of the first two axes.
+template <int Dim>
+Vec<3> cross(const Vec<Dim>& a, const Vec<Dim>& b) {
+  Vec<3> p, q;
+  for (int d = 0; d < Dim; ++d) p[d] = a[d], q[d] = b[d];
+  return {{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}};
+}
+
 /// Mean velocity [m/s] over the coming step of the material point at x.
 template <int Dim>
 Vec<Dim> velocity_at(const RigidMotion<Dim>& motion, const Vec<Dim>& x);

@@ -6,6 +6,7 @@
 
 #include "config/declare/reading.hpp"
 #include "config/shape/shape.hpp"
+#include "core/turn.hpp"
 
 namespace recoil::config {
 

@@ -5,6 +5,7 @@
 
 #include "cases.hpp"
 #include "core/index.hpp"
+#include "core/turn.hpp"
 #include "problem/shape.hpp"
 
 /// Domains without anything in them, and how tests measure shapes there.

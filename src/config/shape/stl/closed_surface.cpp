@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/turn.hpp"
+
 namespace recoil::config {
 
 namespace {
