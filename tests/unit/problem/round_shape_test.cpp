@@ -29,8 +29,8 @@ Line along_axis(double from, double to) { return {{0, from, 0}, {0, to, 0}}; }
 /// The same shape about an oblique line in space.
 template <class T>
 Shape oblique(T shape) {
-  shape.from = vector_of(0.5, -0.3, 0.2);
   const double length = shape.size();
+  shape.from = vector_of(0.5, -0.3, 0.2);
   shape.to = shape.from;
   for (std::size_t d = 0; d < 3; ++d) shape.to[d] += length * oblique_axis[d];
   return {shape};
@@ -129,12 +129,12 @@ TEST(RoundShapes, ObliqueOnesHaveTheDistancesOfThoseAlongTheAxis) {
 
 TEST(RoundShapes, AreTheirOwnMirrorImageInThePlane) {
   const config::Ogive ogive{{{1, 1, 0}, {5, 4, 0}}, 0.5, 2};  // along (0.8, 0.6)
-  const Shape round{config::Ogive{along_axis(0, 5), 0.5, 2}};
+  const Shape same{config::Ogive{along_axis(0, 5), 0.5, 2}};
   for (const double side : {-1.0, 1.0})
     for (const double r : {0.0, 0.2, 0.7, 2.0})
       for (const double z : {-1.0, 0.5, 3.4, 6.0})
         EXPECT_NEAR(at<2>({ogive}, plane, {{1 + 0.8 * z - side * 0.6 * r, 1 + 0.6 * z + side * 0.8 * r}}),
-                    at<2>(round, round, {{r, z}}), 1e-14);
+                    at<2>(same, round, {{r, z}}), 1e-14);
 }
 
 TEST(RoundShapes, CloseToTheSurfaceTheGradientIsOne) {
