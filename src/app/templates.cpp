@@ -48,6 +48,14 @@ std::string with_schema_beside(const std::string& text) {
   return fmt::format("#:schema ./{}\n{}", schema_name, named ? text.substr(text.find('\n') + 1) : text);
 }
 
+/// The files that a template's case reads: those called as it is, but with other endings.
+std::vector<fs::path> files_beside(const std::string& name) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(templates_folder()))
+    if (entry.path().stem() == name && entry.path().extension() != ".toml") files.push_back(entry.path());
+  return files;
+}
+
 }  // namespace
 
 std::vector<std::string> template_names() { return list_materials(MaterialFolders{templates_folder()}); }
@@ -75,6 +83,10 @@ int new_case(const NewOptions& o) {
   if (error)
     throw EnvironmentError(fmt::format("the folder {} cannot be made: {}", folder.string(), error.message()));
   write_atomically(file, with_schema_beside(text_of(o.name)));
+  for (const fs::path& other : files_beside(o.name))
+    if (!error) fs::copy_file(other, folder / other.filename(), fs::copy_options::overwrite_existing, error);
+  if (error)
+    throw EnvironmentError(fmt::format("{} cannot be written to: {}", folder.string(), error.message()));
   write_atomically(folder / schema_name, config::json_schema(material_sections()));
   fmt::print("{}\n  recoil check {}\n  recoil run {}\n", file.string(), folder.string(), folder.string());
   return 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct Case {
   Limits limits;
   Output output;
   std::vector<Expectation> expect;
+  std::vector<std::filesystem::path> files;  // that the case names and its bodies are read from
 
   static constexpr const char* doc = "The top of the file.";
   /// Every table, in the order in which one writes and in which they are read.

@@ -45,6 +45,8 @@ std::string type_text(const Key& key) {
       return "pair of " + unit_text(key);
     case Type::vector:
       return "vector of " + unit_text(key);
+    case Type::direction:
+      return "direction by components or angles";
     case Type::turn:
       return unit_text(key) + ", in 3d a vector of it";
     case Type::table:

@@ -40,4 +40,9 @@ Vector normalised(Vector v) {
   return v;
 }
 
+Vector pointing(double angle, double elevation) {
+  const double flat = std::cos(elevation);
+  return {flat * std::cos(angle), flat * std::sin(angle), std::sin(elevation)};
+}
+
 }  // namespace recoil::config

@@ -34,4 +34,8 @@ std::string names_of(const std::vector<Geometry>& geometries);
 /// case has it, stays as it is, so that it reads back equal.
 Vector normalised(Vector v);
 
+/// The unit vector at `angle` from the x axis towards y, raised by `elevation` out of their plane towards z
+/// [rad].
+Vector pointing(double angle, double elevation = 0);
+
 }  // namespace recoil::config

@@ -16,13 +16,14 @@ struct Key {
     integer,
     flag,
     text,
-    choice,  // one of `choices`
-    texts,   // ["a", "b"], each one of `choices` where there are any
-    range,   // ["0 mm", "2 mm"], low < high
-    vector,  // { x = "450 m/s", y = ... }, components left out are 0
-    turn,    // planar a quantity, about the axis out of the plane; 3d a vector
-    table,   // anything: the caller reads it
-    any,     // anything, a table or not: the caller reads it
+    choice,     // one of `choices`
+    texts,      // ["a", "b"], each one of `choices` where there are any
+    range,      // ["0 mm", "2 mm"], low < high
+    vector,     // { x = "450 m/s", y = ... }, components left out are 0
+    direction,  // { x = 1, y = ... }, or by { angle = "30 deg", elevation = ... } in planar and 3d
+    turn,       // planar a quantity, about the axis out of the plane; 3d a vector
+    table,      // anything: the caller reads it
+    any,        // anything, a table or not: the caller reads it
   };
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 

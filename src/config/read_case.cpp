@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 
 #include "config/declare/read_struct.hpp"
 #include "config/overrides.hpp"
@@ -48,6 +49,8 @@ Case read_case(const Document& document, Diagnostics& out) {
   const bool knows_domain = domain && domain->is_table();
   const Geometry geometry = knows_domain ? geometry_of(*domain) : Geometry::space;
   CaseReading in{geometry, axes_of(geometry), out};
+  in.folder = std::filesystem::path(document.name).parent_path();
+  in.files = &c.files;
   in.knows_domain = knows_domain;
   in.knows_bodies = knows_domain && body && body->is_table();
   const Record top = read_struct(document.root, c, in);

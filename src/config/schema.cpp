@@ -51,6 +51,11 @@ Json type_of(const Key& key) {
       for (const char* axis : {"x", "y", "z", "r"}) s["properties"][axis] = quantity(key.unit);
       return s;
     }
+    case Type::direction: {
+      Json s = type_of({.name = key.name, .type = Type::vector});
+      for (const char* angle : {"angle", "elevation"}) s["properties"][angle] = quantity("rad");
+      return s;
+    }
     case Type::turn: {
       Json vector = type_of({.name = key.name, .type = Type::vector, .unit = key.unit});
       return {{"anyOf", {quantity(key.unit), vector}}};
@@ -66,8 +71,8 @@ Json type_of(const Key& key) {
 /// The value that a default or an example stands for; texts of TOML are mostly JSON as well.
 Json value_of(const Key& key, const std::string& written) {
   Json value = Json::parse(written, nullptr, false);
-  if (value.is_discarded() && key.type != Type::vector && key.type != Type::turn && key.type != Type::any &&
-      written.find('{') == std::string::npos)
+  if (value.is_discarded() && key.type != Type::vector && key.type != Type::direction &&
+      key.type != Type::turn && key.type != Type::any && written.find('{') == std::string::npos)
     value = written;
   return value;
 }

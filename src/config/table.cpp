@@ -157,6 +157,21 @@ struct ValueReader {
     }
   }
 
+  /// By components, or by angles where there is an x axis and a plane or space about it.
+  void read_direction(const Node& node, Record::Value& v) const {
+    static const std::vector<Key> angles{
+        {.name = "angle", .type = Key::Type::quantity, .unit = "rad", .example = R"("30 deg")"},
+        {.name = "elevation", .type = Key::Type::quantity, .unit = "rad", .example = R"("10 deg")"}};
+    if (!node.find("angle") && !node.find("elevation")) return read_components(node, v);
+    if (axes.size() < 2 || axes[0] != "x") {
+      out.error(node.place, fmt::format("'{}' cannot be given by angles in this geometry", key.name),
+                fmt::format("give its components {}", fmt::join(axes, ", ")));
+      return;
+    }
+    const Record r = read_record(node, std::span(angles).first(axes.size() - 1), out);
+    v.numbers = pointing(r.number("angle"), axes.size() == 3 ? r.number("elevation") : 0);
+  }
+
   void read(const Node& node, Record::Value& v) const {
     switch (key.type) {
       case Key::Type::quantity:
@@ -182,6 +197,8 @@ struct ValueReader {
         return read_range(node, v);
       case Key::Type::vector:
         return read_components(node, v);
+      case Key::Type::direction:
+        return read_direction(node, v);
       case Key::Type::turn:
         if (axes.size() == 3) return read_components(node, v);
         v.numbers[2] = quantity(node);

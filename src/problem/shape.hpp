@@ -7,10 +7,11 @@
 
 namespace recoil {
 
-/// Signed distance [m] to a shape, negative inside: exact outside of convex shapes and everywhere for single
-/// ones; of unions and differences a bound, which the level set's redistancing makes a distance. A box or
-/// polygon that reaches the edge of the domain continues beyond it: it has no surface there. Planar and
-/// axisymmetric shapes use the first two components of the case's vectors, 1-d the first.
+/// Signed distance [m] to a shape, negative inside: exact for single shapes; of a union exact outside and a
+/// bound inside, of an intersection or difference a bound outside, which the level set's redistancing makes a
+/// distance. Next to the surface it is exact but in edges where parts meet. A box, polygon or extrusion that
+/// reaches the edge of the domain continues beyond it: it has no surface there. Planar and axisymmetric
+/// shapes use the first two components of the case's vectors, 1-d the first.
 template <int Dim>
 std::function<double(const Vec<Dim>&)> signed_distance(const config::Shape& shape,
                                                        const config::Domain& domain);

@@ -20,6 +20,14 @@ namespace {
 constexpr int pixels_along = 600;  // samples along the longer side
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
+/// Of a case in space: the plane of symmetry across z, or the middle [m].
+double shown_plane(const config::Domain& domain) {
+  for (const std::size_t side : {0, 1})
+    if (domain.boundary[2][side] == config::Boundary::symmetry)
+      return side == 0 ? domain.lo[2] : domain.hi[2];
+  return 0.5 * (domain.lo[2] + domain.hi[2]);
+}
+
 /// Number of the body at each sample, from 1; and all outlines.
 template <int Dim>
 FieldPicture sample(const config::Case& c) {
@@ -42,7 +50,7 @@ FieldPicture sample(const config::Case& c) {
         Vec<Dim> x;
         x[0] = picture.x0 + (i + 0.5) * picture.dx;
         if constexpr (Dim > 1) x[1] = picture.y0 + (j + 0.5) * picture.dy;
-        if constexpr (Dim > 2) x[2] = 0.5 * (lo[2] + hi[2]);
+        if constexpr (Dim > 2) x[2] = shown_plane(c.domain);
         const auto at = static_cast<std::size_t>(k);
         phi.values[at] = distance(x);
         if (phi.values[at] < 0) picture.values[at] = static_cast<double>(m + 1);
@@ -60,8 +68,7 @@ void draw_case(const config::Case& c, const std::filesystem::path& file) {
   FieldPicture picture = dim == 1 ? sample<1>(c) : dim == 2 ? sample<2>(c) : sample<3>(c);
   const auto axes = config::axes_of(c.domain.geometry);
   picture.title = c.title;
-  picture.note =
-      dim == 3 ? fmt::format("z = {:.4g} mm", 500 * (c.domain.lo[2] + c.domain.hi[2])) : "at the start";
+  picture.note = dim == 3 ? fmt::format("z = {:.4g} mm", 1e3 * shown_plane(c.domain)) : "at the start";
   for (std::size_t m = 0; m < c.bodies.size(); ++m)
     picture.categories.push_back({static_cast<double>(m + 1), c.bodies[m].name, area_colour(m)});
   picture.detail = format == PictureFormat::png ? 1 : 2;

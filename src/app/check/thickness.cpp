@@ -2,7 +2,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "app/check/checks.hpp"
 #include "config/geometry.hpp"
@@ -62,6 +64,24 @@ double largest_ball(const config::Shape& shape, const config::Case& c) {
 
 }  // namespace
 
+namespace {
+
+/// Whether a shape cannot tell its smallest extent, and ends somewhere.
+bool is_sampled(const config::Shape& shape) {
+  const auto any = [](const std::vector<config::Shape>& shapes) {
+    return std::ranges::any_of(shapes, is_sampled);
+  };
+  return std::visit(
+      [&]<class T>(const T& s) {
+        if constexpr (requires { s.shape; }) return any(s.shape);
+        if constexpr (std::is_same_v<T, config::Union>) return any(s.parts);
+        return !std::is_same_v<T, config::HalfSpace> && !requires { s.thickness(config::Domain{}); };
+      },
+      shape.form);
+}
+
+}  // namespace
+
 double least_thickness(const config::Shape& shape, const config::Case& c) {
   if (const double told = thickness(shape, c.domain); told < endless) return told;
   if (const auto* whole = std::get_if<config::Union>(&shape.form)) {
@@ -69,9 +89,7 @@ double least_thickness(const config::Shape& shape, const config::Case& c) {
     for (const config::Shape& part : whole->parts) least = std::min(least, least_thickness(part, c));
     return least;
   }
-  const bool sampled = std::holds_alternative<config::Polygon>(shape.form) ||
-                       std::holds_alternative<config::Difference>(shape.form);
-  if (!sampled) return endless;
+  if (!is_sampled(shape)) return endless;
   switch (config::dimension(c.domain.geometry)) {
     case 1:
       return largest_ball<1>(shape, c);

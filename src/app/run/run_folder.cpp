@@ -49,14 +49,20 @@ void refuse_foreign(const fs::path& folder) {
                                folder.string()));
 }
 
-/// The curves that expectations compare with, so that the folder is complete by itself.
-void copy_references(const fs::path& folder, const LoadedCase& loaded) {
+/// What the case reads, and the curves that expectations compare with, so that the folder is complete by
+/// itself.
+void copy_file_into(const fs::path& folder, const fs::path& file) {
+  const fs::path copy = folder / file.filename();
+  if (fs::exists(copy) && fs::equivalent(file, copy)) return;  // of the same folder
+  fs::copy_file(file, copy, fs::copy_options::overwrite_existing);
+}
+
+void copy_files(const fs::path& folder, const LoadedCase& loaded) {
+  for (const fs::path& file : loaded.contents.files) copy_file_into(folder, file);
   for (const config::Expectation& e : loaded.contents.expect) {
     const auto named = reference_curve_of(e.quantity);
     if (!named || named->file.has_parent_path() || !fs::exists(loaded.folder / named->file)) continue;
-    if (fs::exists(folder / named->file) && fs::equivalent(loaded.folder / named->file, folder / named->file))
-      continue;  // of the same folder
-    fs::copy_file(loaded.folder / named->file, folder / named->file, fs::copy_options::overwrite_existing);
+    copy_file_into(folder, loaded.folder / named->file);
   }
 }
 
@@ -113,7 +119,7 @@ void prepare_run_folder(const fs::path& folder, const LoadedCase& loaded, bool f
     fs::create_directories(folder);
     write_atomically(folder / "case.toml", loaded.document.text);
     write_atomically(folder / "case.resolved.toml", resolved_text(loaded));
-    copy_references(folder, loaded);
+    copy_files(folder, loaded);
   } catch (const fs::filesystem_error& e) {
     throw EnvironmentError(fmt::format("the folder {} cannot be used: {}", folder.string(), e.what()));
   }

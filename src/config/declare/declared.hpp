@@ -36,6 +36,7 @@ template <class T>
 Key::Type type_of(const Entry<T>& e) {
   using enum Key::Type;
   if (e.rule == Rule::turn) return turn;
+  if (e.rule == Rule::direction) return direction;
   const Key::Type texts_or_choice = e.choices.empty() ? text : choice;
   return std::visit(
       Cases{[](double T::*) { return quantity; }, [](std::optional<double> T::*) { return quantity; },

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <system_error>
 
 #include "core/closest.hpp"
 
@@ -14,6 +15,30 @@ namespace recoil::config {
 void TableReading::missing(std::string_view key) const {
   for (const Key& k : keys)
     if (k.name == key) report_missing(node, k, owner, in.out);
+}
+
+std::filesystem::path input_file(const TableReading& reading, std::string_view key) {
+  namespace fs = std::filesystem;
+  const CaseReading& in = reading.in;
+  const fs::path named = reading.record.text(key);
+  const bool in_run = fs::exists(in.folder / "case.resolved.toml");
+  const fs::path file = in.folder / (in_run ? named.filename() : named);
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) {
+    reading.wrong(key, fmt::format("there is no file {}", file.string()),
+                  "its path is seen from the folder of the case file");
+    return {};
+  }
+  if (!in.files) return file;
+  for (const fs::path& other : *in.files) {
+    if (other.filename() != file.filename()) continue;
+    if (!fs::equivalent(other, file, error))
+      reading.wrong(key, fmt::format("two files of this case are called {}", file.filename().string()),
+                    "rename one: a run keeps a copy of each in its folder");
+    return file;
+  }
+  in.files->push_back(file);
+  return file;
 }
 
 bool check_body(const std::string& name, const Place& place, const CaseReading& in) {

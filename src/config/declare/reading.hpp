@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,8 @@ struct CaseReading {
   bool knows_bodies = true;              // else neither would what speaks of them
   Vector lo{}, hi{};                     // m, of the domain
   std::vector<std::string> bodies = {};  // their names
+  std::filesystem::path folder = {};  // of the case file: files that it names lie in it or are seen from it
+  std::vector<std::filesystem::path>* files = nullptr;  // where those are collected; null: nowhere
 };
 
 /// A table that has been read, for checks of several keys together.
@@ -46,6 +49,10 @@ struct TableReading {
   /// A key that another one makes necessary.
   void missing(std::string_view key) const;
 };
+
+/// The place of a file that the case names, which exists; a missing one is reported, and gives an empty path.
+/// In the folder of a run it is the copy that the run made, whatever the folder of the original.
+std::filesystem::path input_file(const TableReading& reading, std::string_view key);
 
 /// Checks that there is such a body. @return false, after an error, where there is none.
 bool check_body(const std::string& name, const Place& place, const CaseReading& in);

@@ -15,10 +15,10 @@ namespace {
 
 /// The other form of a velocity.
 struct PolarVelocity {
-  double speed = 0;  // m/s
-  double angle = 0;  // rad
+  double speed = 0;                 // m/s
+  double angle = 0, elevation = 0;  // rad
 
-  static constexpr const char* doc = "A velocity in the plane given by its size and direction.";
+  static constexpr const char* doc = "A velocity given by its size and direction (planar, 3d).";
   static Entries<PolarVelocity> keys() {
     return {{.name = "speed",
              .member = &PolarVelocity::speed,
@@ -30,27 +30,34 @@ struct PolarVelocity {
             {.name = "angle",
              .member = &PolarVelocity::angle,
              .unit = "rad",
-             .doc = "from the x axis, counter-clockwise",
-             .example = R"("-10 deg")"}};
+             .doc = "from the x axis towards y",
+             .example = R"("-10 deg")"},
+            {.name = "elevation",
+             .member = &PolarVelocity::elevation,
+             .unit = "rad",
+             .doc = "from the plane of x and y towards z",
+             .example = R"("30 deg")",
+             .only_in = {Geometry::space}}};
   }
 };
 
 void read_velocity(Body& body, const TableReading& reading, const Key& key) {
   const CaseReading& in = reading.in;
   const Node& node = *reading.record.node(key.name);
-  if (!node.find("speed") && !node.find("angle")) {
+  if (!node.find("speed") && !node.find("angle") && !node.find("elevation")) {
     body.velocity = read_vector(node, key, in.out, in.axes);
     return;
   }
-  PolarVelocity polar;
-  read_struct(node, polar, in);
-  if (in.geometry != Geometry::planar)
+  if (in.geometry != Geometry::planar && in.geometry != Geometry::space)
     return in.out.error(
         node.place,
-        fmt::format("a velocity by speed and angle exists in geometry \"planar\" only, not \"{}\"",
+        fmt::format("a velocity by speed and angle exists in geometries \"planar\" and \"3d\", not in \"{}\"",
                     name_of(in.geometry)),
         fmt::format("give its components {}", fmt::join(in.axes, ", ")));
-  body.velocity = {polar.speed * std::cos(polar.angle), polar.speed * std::sin(polar.angle), 0};
+  PolarVelocity polar;
+  read_struct(node, polar, in);
+  body.velocity = pointing(polar.angle, polar.elevation);
+  for (double& component : body.velocity) component *= polar.speed;
 }
 
 Custom<Body> custom_velocity() {
@@ -205,7 +212,9 @@ Entries<Body> keys_of_start() {
       {.name = "velocity",
        .member = custom_velocity(),
        .unit = "m/s",
-       .doc = "at the start; planar also { speed = \"1 km/s\", angle = \"-10 deg\" } from the x axis",
+       .doc =
+           "at the start; planar also { speed = \"1 km/s\", angle = \"-10 deg\" } from the x axis; 3d with "
+           "elevation = \"30 deg\" as well, out of the plane of x and y",
        .example = R"({ x = "450 m/s" })"},
       {.name = "spin",
        .member = &Body::spin,

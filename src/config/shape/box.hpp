@@ -8,7 +8,7 @@
 
 #include "config/declare/entry.hpp"
 #include "config/declare/reading.hpp"
-#include "config/shape/extent.hpp"
+#include "config/shape/bounds.hpp"
 #include "config/shape/slabs.hpp"
 
 namespace recoil::config {
@@ -68,14 +68,9 @@ struct Box {
 
   /// With those faces that lie on the edge of the domain pushed far beyond it.
   Box continued(const Domain& domain) const {
-    constexpr double far = 1e6;  // m
     Box s = *this;
     if (rotation != 0) return s;
-    for (std::size_t d = 0; d < 3; ++d) {
-      const double near = 1e-9 * (domain.hi[d] - domain.lo[d]);
-      if (s.lo[d] <= domain.lo[d] + near) s.lo[d] = domain.lo[d] - far;
-      if (s.hi[d] >= domain.hi[d] - near) s.hi[d] = domain.hi[d] + far;
-    }
+    for (std::size_t d = 0; d < 3; ++d) continue_beyond(s.lo[d], s.hi[d], domain.lo[d], domain.hi[d]);
     return s;
   }
 
@@ -91,6 +86,7 @@ struct Box {
   }
   bool along_mesh() const { return rotation == 0; }
 
+  Bounds bounds(const Domain& /*domain*/) const { return rotation == 0 ? Bounds{lo, hi} : Bounds{}; }
   Extent extent(Geometry /*geometry*/) const { return rotation == 0 ? Extent{true, lo, hi} : Extent{}; }
 };
 

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "config/declare/entry.hpp"
-#include "config/shape/extent.hpp"
+#include "config/declare/reading.hpp"
+#include "config/shape/bounds.hpp"
 #include "config/shape/slabs.hpp"
 
 namespace recoil::config {
@@ -17,6 +18,7 @@ struct Cylinder {
   std::array<double, 2> length{};  // m; 3d: extent along its axis from centre; axisymmetric: z range
   Vector centre{};                 // m; planar, 3d
   Vector axis{0, 0, 1};            // 3d: unit vector
+  Vector from{}, to{};             // m, 3d: the other way to say where it lies
 
   static constexpr const char* kind = "cylinder";
   static constexpr const char* doc =
@@ -26,40 +28,43 @@ struct Cylinder {
   }
   static std::vector<Alias> aliases() { return {{"disc", "A disc in the plane.", {Geometry::planar}}}; }
   static Entries<Cylinder> keys() {
-    return {{.name = "radius",
-             .member = &Cylinder::radius,
-             .unit = "m",
-             .positive = true,
-             .required = true,
-             .doc = "its radius",
-             .example = R"("5 mm")"},
-            {.name = "z",
-             .member = &Cylinder::length,
-             .unit = "m",
-             .required = true,
-             .doc = "extent along the axis (axisymmetric)",
-             .example = R"(["0 mm", "15 mm"])",
-             .only_in = {Geometry::axisymmetric}},
-            {.name = "centre",
-             .member = &Cylinder::centre,
-             .unit = "m",
-             .doc = "its centre; without it the origin",
-             .example = R"({ x = "1 mm" })",
-             .only_in = {Geometry::planar, Geometry::space}},
-            {.name = "axis",
-             .member = &Cylinder::axis,
-             .rule = Rule::direction,
-             .doc = "direction of its axis (3d); without it z",
-             .example = "{ x = 1 }",
-             .only_in = {Geometry::space}},
-            {.name = "along",
-             .member = &Cylinder::length,
-             .unit = "m",
-             .required = true,
-             .doc = "extent along its axis, from `centre` (3d)",
-             .example = R"(["0 mm", "15 mm"])",
-             .only_in = {Geometry::space}}};
+    return {
+        {.name = "radius",
+         .member = &Cylinder::radius,
+         .unit = "m",
+         .positive = true,
+         .required = true,
+         .doc = "its radius",
+         .example = R"("5 mm")"},
+        {.name = "z",
+         .member = &Cylinder::length,
+         .unit = "m",
+         .required = true,
+         .doc = "extent along the axis (axisymmetric)",
+         .example = R"(["0 mm", "15 mm"])",
+         .only_in = {Geometry::axisymmetric}},
+        {.name = "centre",
+         .member = &Cylinder::centre,
+         .unit = "m",
+         .doc = "its centre; without it the origin",
+         .example = R"({ x = "1 mm" })",
+         .only_in = {Geometry::planar, Geometry::space}},
+        {.name = "axis",
+         .member = &Cylinder::axis,
+         .rule = Rule::direction,
+         .doc = "direction of its axis (3d); without it z",
+         .example = "{ x = 1 }",
+         .only_in = {Geometry::space}},
+        {.name = "along",
+         .member = &Cylinder::length,
+         .unit = "m",
+         .doc = "extent along its axis, from `centre` (3d)",
+         .example = R"(["0 mm", "15 mm"])",
+         .only_in = {Geometry::space}},
+        end("from", &Cylinder::from, "middle of one face, with `to` in place of centre, axis and along (3d)"),
+        end("to", &Cylinder::to, "middle of the other face (3d)")};
   }
+  void check(const TableReading& reading);
 
   template <int Dim>
   double distance(const Vec<Dim>& x, const Domain& domain) const {
@@ -81,19 +86,18 @@ struct Cylinder {
     return std::min(flat_disc ? 1e300 : length[1] - length[0], 2 * radius);
   }
 
-  Extent extent(Geometry geometry) const {
-    if (geometry == Geometry::axisymmetric) return {true, {0, length[0], 0}, {radius, length[1], 0}};
-    if (geometry != Geometry::space) return {};
-    const auto main = static_cast<std::size_t>(
-        std::max_element(axis.begin(), axis.end(),
-                         [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-        axis.begin());
-    if (std::abs(axis[main]) < 1 - 1e-9) return {};
-    Extent e{true, {}, {}};
-    for (std::size_t d = 0; d < 3; ++d) e.lo[d] = centre[d] - radius, e.hi[d] = centre[d] + radius;
-    const double a = centre[main] + axis[main] * length[0], b = centre[main] + axis[main] * length[1];
-    e.lo[main] = std::min(a, b), e.hi[main] = std::max(a, b);
-    return e;
+  Bounds bounds(const Domain& domain) const;
+  Extent extent(Geometry geometry) const;
+
+ private:
+  static Entry<Cylinder> end(const char* name, Vector Cylinder::*member, const char* doc) {
+    return {.name = name,
+            .member = member,
+            .unit = "m",
+            .doc = doc,
+            .example = R"({ x = "1 mm" })",
+            .only_in = {Geometry::space},
+            .when = [](const Cylinder&) { return false; }};
   }
 };
 

@@ -1,20 +1,20 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include "config/declare/entry.hpp"
 #include "config/shape/extent.hpp"
+#include "config/shape/outline.hpp"
 #include "config/shape/slabs.hpp"
 #include "core/error.hpp"
 
 namespace recoil::config {
 
 struct Polygon {
-  std::vector<std::array<double, 2>> vertices;  // m, either orientation
-  double rotation = 0;                          // rad, counter-clockwise about `centre`
-  Vector centre{};                              // m
+  std::vector<Corner> vertices;  // m, either orientation
+  double rotation = 0;           // rad, counter-clockwise about `centre`
+  Vector centre{};               // m
 
   static constexpr const char* kind = "polygon";
   static constexpr const char* doc = "A polygon in the plane.";

@@ -29,6 +29,14 @@ double from_slabs(const std::array<double, N>& slab) {
   return inside > 0 ? std::sqrt(outside) : inside;
 }
 
+/// Pushes an end [m] on or beyond the edge of the domain far beyond it.
+inline void continue_beyond(double& lo, double& hi, double domain_lo, double domain_hi) {
+  constexpr double far = 1e6;  // m
+  const double near = 1e-9 * (domain_hi - domain_lo);
+  if (lo <= domain_lo + near) lo = domain_lo - far;
+  if (hi >= domain_hi - near) hi = domain_hi + far;
+}
+
 template <int Dim>
 double ball_distance(const Vector& centre, double radius, const Vec<Dim>& x) {
   return norm(x - first_components<Dim>(centre)) - radius;

@@ -4,7 +4,7 @@
 
 #include "config/declare/entry.hpp"
 #include "config/declare/reading.hpp"
-#include "config/shape/extent.hpp"
+#include "config/shape/bounds.hpp"
 #include "config/shape/slabs.hpp"
 
 namespace recoil::config {
@@ -40,6 +40,7 @@ struct Sphere {
     return ball_distance(centre, radius, x);
   }
   double thickness(const Domain& /*domain*/) const { return 2 * radius; }
+  Bounds bounds(const Domain& /*domain*/) const { return Bounds::around(centre, radius); }
 };
 
 }  // namespace recoil::config

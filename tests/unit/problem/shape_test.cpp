@@ -2,29 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "../core/dimensions.hpp"
 #include "cases.hpp"
 #include "core/index.hpp"
+#include "measured_shapes.hpp"
 
 namespace recoil {
 namespace {
 
-using config::Geometry;
+using namespace measured;
+
 using config::Shape;
 
-constexpr double pi = 3.14159265358979323846;
-
-const config::Domain line = domain_of(Geometry::line, vector_of(-9), vector_of(9));
-const config::Domain plane = domain_of(Geometry::planar, vector_of(-9, -9), vector_of(9, 9));
-const config::Domain round = domain_of(Geometry::axisymmetric, vector_of(0, -9), vector_of(9, 9));
-const config::Domain space = domain_of(Geometry::space, vector_of(-9, -9, -9), vector_of(9, 9, 9));
-
-template <int Dim>
-double at(const Shape& s, const config::Domain& domain, const Vec<Dim>& x) {
-  return signed_distance<Dim>(s, domain)(x);
-}
+using std::numbers::pi;
 
 TEST(SignedDistance, Intervals) {
   const auto s = box_shape(vector_of(1), vector_of(3));
@@ -124,23 +117,6 @@ TEST(SignedDistance, BodiesAtTheEdgeOfTheDomainContinue) {
   EXPECT_NEAR(at<2>(polygon, plane, {{2, 9}}), 2, 1e-14);
   const auto within = box_shape(vector_of(-8, -8), vector_of(0, 9));
   EXPECT_DOUBLE_EQ(at<2>(within, plane, {{-4, -7.5}}), -0.5);
-}
-
-/// Parts of cells sum to the volume of the shape.
-template <int Dim>
-double volume_of(const Shape& s, const config::Domain& domain, const Vec<Dim>& lo, int cells, double dx) {
-  const auto distance = signed_distance<Dim>(s, domain);
-  const bool axisymmetric = domain.geometry == Geometry::axisymmetric;
-  Box<Dim> box;
-  for (int d = 0; d < Dim; ++d) box.hi[d] = cells;
-  double sum = 0, cell = 1;
-  for (int d = 0; d < Dim; ++d) cell *= dx;
-  for_each(box, [&](const Index<Dim>& i) {
-    Vec<Dim> x = lo;
-    for (int d = 0; d < Dim; ++d) x[d] += (i[d] + 0.5) * dx;
-    sum += inside_part<Dim>(distance, x, dx, axisymmetric) * cell;
-  });
-  return sum;
 }
 
 TEST(InsidePart, DiscsBallsAndBoxesHaveTheirVolumes) {
