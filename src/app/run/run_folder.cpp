@@ -26,7 +26,7 @@ namespace {
 constexpr const char* traces[] = {
     "case.toml",      "case.resolved.toml", "run.log",    "status.json", "summary.json",
     "quantities.csv", "history.csv",        "events.csv", "gauges",      "fields",
-    "crash",          "checkpoints",        "report.html"};
+    "fragments.csv",  "crash",              "checkpoints", "report.html"};
 
 constexpr const char* lock_name = ".lock";
 
