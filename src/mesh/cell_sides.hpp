@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-
 #include "mesh/mesh.hpp"
 
 namespace recoil {

@@ -207,8 +207,7 @@ const std::vector<FieldVariable>& field_variables() {
 
 template <int Dim>
 UnstructuredGrid gather_fields(const State<Dim>& state, const parallel::World& world,
-                               const std::vector<FieldVariable>& variables,
-                               const Fragments<Dim>* fragments) {
+                               const std::vector<FieldVariable>& variables, const Fragments<Dim>* fragments) {
   const auto all = world.gather(pack_blocks(state, variables, have_touched(state, world), fragments));
   UnstructuredGrid grid;
   if (world.rank() != 0) return grid;
@@ -300,8 +299,7 @@ void FieldDump<Dim>::unpack(parallel::Unpacker& from, bool removes) {
 #define RECOIL_INSTANTIATE(Dim)                                                           \
   template class FieldDump<Dim>;                                                          \
   template UnstructuredGrid gather_fields<Dim>(const State<Dim>&, const parallel::World&, \
-                                               const std::vector<FieldVariable>&,         \
-                                               const Fragments<Dim>*);
+                                               const std::vector<FieldVariable>&, const Fragments<Dim>*);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

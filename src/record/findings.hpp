@@ -28,8 +28,8 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
                            const std::vector<Drift>& budgets, const EventWatch& events,
                            const std::vector<std::pair<std::string, std::int64_t>>& floors, long steps);
 
-/// fragments.BODY.pieces, .rubble-mass, and of the heaviest pieces, N from 1 to 3, fragments.BODY.N.mass and by
-/// AXIS .velocity, NaN where there are not so many.
+/// fragments.BODY.pieces, .rubble-mass, and of the heaviest pieces, N from 1 to 3, fragments.BODY.N.mass and
+/// by AXIS .velocity, NaN where there are not so many.
 void add_fragments(Quantities& quantities, const std::vector<BodyFragments>& fragments,
                    const RunUnits& units);
 

@@ -27,8 +27,8 @@ struct BodyFragments {
   static constexpr std::size_t told = 3;
 
   std::string body;
-  int pieces = 0, heaps = 0;  // of rubble
-  double rubble = 0;          // kg
+  int pieces = 0, heaps = 0;    // of rubble
+  double rubble = 0;            // kg
   std::vector<Piece> heaviest;  // as many as told
 
   template <class Archive>

@@ -98,8 +98,7 @@ std::string unit_of_number(const std::string& name, const RunUnits& u) {
   const std::string what = name.substr(std::min(name.find('.', group + 1), name.size() - 1) + 1);
   if (name.starts_with("contact.")) return what == "restitution" ? "1" : "us";
   if (name.starts_with("failure.")) return what == "time" ? "us" : "mm";
-  if (name.starts_with("fragments."))
-    return name.ends_with("mass") ? u.mass : what == "pieces" ? "1" : "m/s";
+  if (name.starts_with("fragments.")) return name.ends_with("mass") ? u.mass : what == "pieces" ? "1" : "m/s";
   if (!name.starts_with("body.")) return "1";
   const std::string quantity = what.substr(0, what.find('.'));
   const std::array<std::pair<const char*, std::string>, 11> units{{{"mass", u.mass},

@@ -17,7 +17,8 @@ struct CraterGauge {
 
   static constexpr const char* kind = "crater";
   static constexpr const char* doc =
-      "The crater, or the hole, in a body below its original plane surface. It is measured along the lines of "
+      "The crater, or the hole, in a body below its original plane surface. It is measured along the lines "
+      "of "
       "cells through that plane: how deep the first matter of the body's heaviest piece lies. Ejecta, what "
       "lines the crater and matter above the plane do not count; what is under an overhang is not seen.";
   static constexpr bool on_surface = true;  // where `at` must lie at the start

@@ -14,7 +14,8 @@ struct FragmentsGauge {
 
   static constexpr const char* kind = "fragments";
   static constexpr const char* doc =
-      "The pieces into which a body has broken. Every record looks at all cells: `every` should not be 0 in a "
+      "The pieces into which a body has broken. Every record looks at all cells: `every` should not be 0 in "
+      "a "
       "long run.";
   static Entries<FragmentsGauge> keys() {
     return {body_key("body", &FragmentsGauge::body, watched_body),

@@ -13,7 +13,8 @@ struct PeakTensionGauge {
 
   static constexpr const char* kind = "peak-tension";
   static constexpr const char* doc =
-      "The largest tension that a body has borne so far, in cells that hold at least 0.3 of it; it looks at all "
+      "The largest tension that a body has borne so far, in cells that hold at least 0.3 of it; it looks at "
+      "all "
       "of them in every step.";
   static Entries<PeakTensionGauge> keys() {
     return {body_key("body", &PeakTensionGauge::body, watched_body),

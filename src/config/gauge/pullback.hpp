@@ -14,7 +14,8 @@ struct PullbackGauge {
 
   static constexpr const char* kind = "pullback";
   static constexpr const char* doc =
-      "What velocimetry of a free surface tells of a spall. The pull-back is the fall of the surface velocity "
+      "What velocimetry of a free surface tells of a spall. The pull-back is the fall of the surface "
+      "velocity "
       "from its peak to the minimum behind it, known once the record has risen again by a tenth of the fall; "
       "with the density rho0 and the bulk sound speed c0 of the body's material at rest, the spall strength "
       "is rho0 c0 pullback/2 and the strain rate that of the unloading, over 2 c0 (Antoun et al., Spall "

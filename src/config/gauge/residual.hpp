@@ -34,7 +34,8 @@ struct ResidualGauge {
             {"speed", "m/s", "of that mean; in axisymmetric along z"},
             {"mass", "mass", "of cells whose middle lies beyond the plane"},
             {"kinetic", "energy", "of them"},
-            {"angle", "deg", "between the mean velocity and `direction`: of a ricochet 90 deg less its exit angle"}};
+            {"angle", "deg",
+             "between the mean velocity and `direction`: of a ricochet 90 deg less its exit angle"}};
   }
 };
 

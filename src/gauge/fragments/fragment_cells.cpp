@@ -132,17 +132,19 @@ void exchange_numbers(const State<Dim>& state, const parallel::World& world,
                       std::vector<std::vector<FragmentBlock>>& cells) {
   exchange_outer(
       state, world, cells,
-      [](parallel::Bytes& bytes, const FragmentBlock& b, std::size_t k) { parallel::pack(bytes, b.number[k]); },
+      [](parallel::Bytes& bytes, const FragmentBlock& b, std::size_t k) {
+        parallel::pack(bytes, b.number[k]);
+      },
       [](parallel::Unpacker& from, FragmentBlock& b, std::size_t k) {
         b.number[k] = from.read<std::int64_t>();
       });
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                             \
-  template std::int64_t cell_number<Dim>(const Mesh<Dim>&, int, int, const Index<Dim>&);                     \
-  template std::vector<std::vector<FragmentBlock>> fragment_cells<Dim>(const State<Dim>&,                    \
-                                                                       const parallel::World&);              \
-  template void exchange_numbers<Dim>(const State<Dim>&, const parallel::World&,                             \
+#define RECOIL_INSTANTIATE(Dim)                                                                 \
+  template std::int64_t cell_number<Dim>(const Mesh<Dim>&, int, int, const Index<Dim>&);        \
+  template std::vector<std::vector<FragmentBlock>> fragment_cells<Dim>(const State<Dim>&,       \
+                                                                       const parallel::World&); \
+  template void exchange_numbers<Dim>(const State<Dim>&, const parallel::World&,                \
                                       std::vector<std::vector<FragmentBlock>>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -31,8 +31,7 @@ std::int64_t cell_number(const Mesh<Dim>& mesh, int slot, int body, const Index<
 
 /// By body and slot: own blocks, and the outer cells of copies of other processes' blocks. Collective.
 template <int Dim>
-std::vector<std::vector<FragmentBlock>> fragment_cells(const State<Dim>& state,
-                                                       const parallel::World& world);
+std::vector<std::vector<FragmentBlock>> fragment_cells(const State<Dim>& state, const parallel::World& world);
 
 /// Brings `number` of the copies' outer cells up to date. Collective.
 template <int Dim>

@@ -219,7 +219,8 @@ Fragment<Dim> finished(const Part<Dim>& p, const Grid<Dim>& grid) {
 /// On rank 0: all parts joined. @returns to which fragment each part of a rank belongs, by its number there.
 template <int Dim>
 std::vector<std::pair<std::int64_t, int>> join_parts(const std::vector<parallel::Bytes>& from,
-                                                     const Grid<Dim>& grid, std::vector<Fragment<Dim>>& list) {
+                                                     const Grid<Dim>& grid,
+                                                     std::vector<Fragment<Dim>>& list) {
   std::map<std::int64_t, Part<Dim>> parts;
   std::vector<Numbers> edges;
   for (const parallel::Bytes& bytes : from) {

@@ -26,28 +26,28 @@ inline constexpr double least_void = 1e-3;
 template <int Dim>
 struct Fragment {
   int body = 0;
-  bool piece = false;         // else a heap of rubble
-  std::int64_t first = 0;     // smallest number of its cells, the same for any ranks and blocks
-  std::int64_t cells = 0;     // that hold any of it
-  double mass = 0;            // kg
-  double failed = 0;          // kg of matter that has failed
-  double volume = 0;          // m^3 (1d: m, planar: m^2), without voids
-  double kinetic = 0;         // J, of all its cells
-  Vec<Dim> position;          // m, centre of mass
-  Vec<Dim> velocity;          // m/s, momentum over mass
-  Vec<Dim> lowest, highest;   // m, its extent
-  double diameter = 0;        // m, of the sphere (planar: circle; 1d: its thickness) of this volume
+  bool piece = false;        // else a heap of rubble
+  std::int64_t first = 0;    // smallest number of its cells, the same for any ranks and blocks
+  std::int64_t cells = 0;    // that hold any of it
+  double mass = 0;           // kg
+  double failed = 0;         // kg of matter that has failed
+  double volume = 0;         // m^3 (1d: m, planar: m^2), without voids
+  double kinetic = 0;        // J, of all its cells
+  Vec<Dim> position;         // m, centre of mass
+  Vec<Dim> velocity;         // m/s, momentum over mass
+  Vec<Dim> lowest, highest;  // m, its extent
+  double diameter = 0;       // m, of the sphere (planar: circle; 1d: its thickness) of this volume
 };
 
 /// All fragments of a state: of each body the pieces, the heaviest first, then the rubble; of equal masses
-/// the one with the smallest first cell. Their masses and the other sums are rounded once (core/exact_sum.hpp),
-/// so that numbers and order do not depend on ranks, threads or blocks.
+/// the one with the smallest first cell. Their masses and the other sums are rounded once
+/// (core/exact_sum.hpp), so that numbers and order do not depend on ranks, threads or blocks.
 template <int Dim>
 struct Fragments {
   std::vector<Fragment<Dim>> list;  // on rank 0
   std::vector<int> heaviest;        // by body, on all ranks: number of its heaviest piece; -1: it has none
-  /// By body, slot of an own block and place in its layout: number in the list, or -1. Empty where the body is
-  /// not.
+  /// By body, slot of an own block and place in its layout: number in the list, or -1. Empty where the body
+  /// is not.
   std::vector<std::vector<std::vector<int>>> number;
 
   int at(int body, int slot, int cell) const {

@@ -76,7 +76,9 @@ class CraterWatch : public GaugeWatch<Dim> {
     for (int d = 0; d < Dim; ++d) {
       if (d == axis_) box.hi[d] = 1;
       if (d == axis_) continue;
-      const auto place = [&](double x) { return static_cast<int>(std::floor((x - grid_.origin[d]) / grid_.dx)); };
+      const auto place = [&](double x) {
+        return static_cast<int>(std::floor((x - grid_.origin[d]) / grid_.dx));
+      };
       box.lo[d] = std::max(box.lo[d], place(at_[d] - radius_));
       box.hi[d] = std::min(box.hi[d], place(at_[d] + radius_) + 1);
     }
@@ -122,7 +124,7 @@ class CraterWatch : public GaugeWatch<Dim> {
   Vec<Dim> at_;
   int axis_, out_;
   double radius_;
-  Grid<Dim> grid_;  // of the finest level
+  Grid<Dim> grid_;                     // of the finest level
   std::map<Line<Dim>, double> depth_;  // m, of the first matter; on rank 0
 };
 

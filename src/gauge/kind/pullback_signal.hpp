@@ -10,8 +10,8 @@
 namespace recoil {
 
 /// The velocity of a free surface, followed from step to step: peak, minimum behind it, and the two maxima
-/// that follow. After a rise by a tenth of the fall the minimum stands, as in pull_back_of() (time_series.hpp);
-/// a velocity above the peak begins anew.
+/// that follow. After a rise by a tenth of the fall the minimum stands, as in pull_back_of()
+/// (time_series.hpp); a velocity above the peak begins anew.
 class PullbackSignal {
  public:
   static constexpr double rebound = 0.1;  // of the fall
@@ -25,7 +25,7 @@ class PullbackSignal {
     if (velocity - low_ > rebound * (peak_ - low_)) stand(time, velocity);
   }
 
-  double peak() const { return peak_; }
+  double peak() const { return std::isfinite(peak_) ? peak_ : unknown; }
   double peak_time() const { return peak_time_; }
   double low() const { return rings_ ? low_ : unknown; }
   double low_time() const { return rings_ ? low_time_ : unknown; }

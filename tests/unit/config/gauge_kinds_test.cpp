@@ -68,8 +68,8 @@ TEST(GaugeKinds, OfWhatBreaksAreRead) {
                    "normal to an axis"));
   EXPECT_TRUE(says(complaints("axisymmetric", pit + "at = { z = \"1 mm\" }\ndirection = { r = 1 }\n"),
                    "normal to z"));
-  EXPECT_TRUE(
-      says(complaints("axisymmetric", pit + "at = { r = \"1 mm\" }\ndirection = { z = 1 }\n"), "on the axis"));
+  EXPECT_TRUE(says(complaints("axisymmetric", pit + "at = { r = \"1 mm\" }\ndirection = { z = 1 }\n"),
+                   "on the axis"));
   EXPECT_TRUE(says(complaints("1d", pit + "at = { x = \"1 mm\" }\ndirection = { x = 1 }\n"),
                    "does not exist in geometry \"1d\""));
 }

@@ -32,8 +32,7 @@ TEST(ExactSum, RoundsOnce) {
 TEST(ExactSum, DoesNotDependOnTheOrder) {
   Random random(7);
   std::vector<double> terms;
-  for (int k = 0; k < 300; ++k)
-    terms.push_back(random(-1, 1) * std::pow(10, random(-20, 20)));
+  for (int k = 0; k < 300; ++k) terms.push_back(random(-1, 1) * std::pow(10, random(-20, 20)));
   const double wanted = sum_of(terms);
   for (int k = 0; k < 20; ++k) {
     for (std::size_t i = terms.size() - 1; i > 0; --i)

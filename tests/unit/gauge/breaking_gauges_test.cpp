@@ -126,8 +126,8 @@ TEST(FragmentsGauge, OfAWholeBody) {
   EXPECT_NEAR(row[1], 5, 1e-12) << "kg/m2";
   EXPECT_NEAR(row[2], 200, 1e-9);
   EXPECT_EQ(row[3] + row[4] + row[5], 0);
-  const auto small = first_row<1>(std::string(line) +
-                                  "[gauge.g]\nkind = \"fragments\"\nbody = \"plate\"\nsmaller-than = \"6 mm\"\n");
+  const auto small = first_row<1>(
+      std::string(line) + "[gauge.g]\nkind = \"fragments\"\nbody = \"plate\"\nsmaller-than = \"6 mm\"\n");
   EXPECT_EQ(small[0], 0);
   EXPECT_EQ(small[3], 1);
   EXPECT_NEAR(small[4], 5, 1e-12);

@@ -127,7 +127,7 @@ TYPED_TEST(FragmentsOf, RubbleParts) {
   EXPECT_NEAR(found.list[2].mass / column, 1.8, 1e-12);
   EXPECT_FALSE(found.list[2].piece);
   EXPECT_EQ(found.list[2].failed, found.list[2].mass);
-  EXPECT_NEAR(found.list[2].volume / (2 * dx * cross_section(dim)), 0.9, 1e-12) << "without its voids";
+  EXPECT_NEAR(found.list[2].volume / (2 * dx * cross_section(dim)), 0.9, 1e-9) << "without its voids";
   EXPECT_EQ(found.heaviest, (std::vector{0, 3}));
   double sum = 0;
   for (const auto& f : found.list) sum += f.body == 0 ? f.mass : 0;
@@ -141,7 +141,8 @@ TYPED_TEST(FragmentsOf, OpenCracksPart) {
   State<dim> cracked = bar<dim>(9), gaping = bar<dim>(9);
   change<dim>(cracked, 2.4 * mm, 2.6 * mm, open_crack<dim>);
   change<dim>(gaping, 2.4 * mm, 2.8 * mm, make_sliver<dim>);
-  const auto one = find_fragments(cracked, parallel::World{}), other = find_fragments(gaping, parallel::World{});
+  const auto one = find_fragments(cracked, parallel::World{}),
+             other = find_fragments(gaping, parallel::World{});
   ASSERT_EQ(one.list.size(), 3U);
   EXPECT_NEAR(one.list[0].mass / column, 12, 1e-12);
   EXPECT_NEAR(one.list[1].mass / column, 7.3, 1e-12);
@@ -179,12 +180,12 @@ TYPED_TEST(FragmentsOf, EqualOnesAreOrderedByPlace) {
 TYPED_TEST(FragmentsOf, LevelsMeet) {
   constexpr int dim = TestFixture::dim;
   if (dim == 3) GTEST_SKIP() << "as in a plane, at more cost";
-  const int cells = 208;
+  const int cells = dim == 1 ? 512 : 208;
   config::Case c;
   config::Vector lo{}, hi{}, low{}, high{};
   for (std::size_t d = 0; d < dim; ++d) lo[d] = -24 * dx, hi[d] = (cells + 24) * dx, high[d] = cells * dx;
   c.domain = domain_of(dim == 1 ? config::Geometry::line : config::Geometry::planar, lo, hi);
-  c.mesh.finest = dx, c.mesh.levels = 3, c.mesh.block = 8;
+  c.mesh.finest = dx, c.mesh.levels = 3, c.mesh.block = dim == 1 ? 16 : 8;
   c.bodies = {body_of("block", box_shape(low, high))};
   start_parallel();
   State<dim> state = make_state<dim>(c, {hard_matter()}, parallel::World{});

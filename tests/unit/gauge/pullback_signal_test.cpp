@@ -11,12 +11,13 @@
 namespace recoil {
 namespace {
 
-/// A rise in a time of 1 to 300, a plateau to 2, a straight fall by 120 to 3, then ringing of a period of 0.5.
+/// A rise in a time of 1 to 300, a plateau to 2, a straight fall by 120 to 3, then ringing of a period of
+/// 0.5.
 double velocity(double t) {
   if (t < 1) return 300 * t;
   if (t < 2) return 300;
   if (t < 3) return 300 - 120 * (t - 2);
-  return 240 - 60 * std::cos(4 * std::numbers::pi * (t - 3));
+  return 220 - 40 * std::cos(4 * std::numbers::pi * (t - 3));
 }
 
 TEST(PullbackSignal, OfASpall) {
