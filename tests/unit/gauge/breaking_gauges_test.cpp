@@ -68,9 +68,9 @@ TEST(Crater, OfAPitAndOfAHole) {
   EXPECT_NEAR(pit[1], 8e-3, 1e-9);
   EXPECT_NEAR(pit[2] / (3e-3 * area), 1, 1e-9);
   EXPECT_EQ(pit[3], 0) << "no hole";
-  EXPECT_EQ(hole[0], 0);
+  EXPECT_NEAR(hole[0], 0, 1e-12);
   EXPECT_NEAR(hole[1], 8e-3, 1e-9);
-  EXPECT_EQ(hole[2], 0);
+  EXPECT_NEAR(hole[2], 0, 1e-15);
   EXPECT_NEAR(hole[3], 8e-3, 1e-9);
 }
 
