@@ -193,6 +193,28 @@ def body_value(run, name):
     raise InputError(f"the tables of {run.folder} do not tell {name!r}: add a gauge of kind body, or an expectation")
 
 
+def fragments_value(run, name):
+    """Value and unit of `fragments.BODY.pieces`, `.rubble-mass`, `.N.mass` and `.N.velocity.AXIS`, at the end."""
+    _, body, what = (name.split(".", 2) + ["", ""])[:3]
+    if body not in run.bodies:
+        raise unknown("body", body, run.bodies)
+    table = run.fragments
+    units = table.attrs["units"]
+    own = table[(table["time"] == table["time"].max()) & (table["body"] == body)]
+    pieces = own[own["kind"] == "piece"]
+    if what == "pieces":
+        return float(len(pieces)), "1"
+    if what == "rubble-mass":
+        return float(own.loc[own["kind"] == "rubble", "mass"].sum()), units["mass"]
+    number, _, column = what.partition(".")
+    column = f"velocity.{run.axes[0]}" if column == "velocity" and len(run.axes) == 1 else column
+    known = ("mass", *(f"velocity.{axis}" for axis in run.axes))
+    if number not in ("1", "2", "3") or column not in known:
+        raise unknown("value of fragments", what, ("pieces", "rubble-mass", *(f"1.{name}" for name in known)))
+    place = int(number) - 1
+    return (float(pieces[column].iloc[place]) if place < len(pieces) else NAN), units[column]
+
+
 def counted_value(run, name):
     """Value and unit of `budget.NAME.WHAT`, `floor.NAME`, `run.steps` and `event.KIND`."""
     kind, _, rest = name.partition(".")
@@ -212,6 +234,7 @@ KINDS = {
     "gauge": gauge_value,
     "contact": contact_value,
     "failure": failure_value,
+    "fragments": fragments_value,
     "body": body_value,
     "budget": counted_value,
     "floor": counted_value,

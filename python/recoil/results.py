@@ -147,6 +147,11 @@ class Run:
         return frame
 
     @cached_property
+    def fragments(self):
+        """fragments.csv: DataFrame with a row for each fragment at each time of a dump, the `time` [us] a column."""
+        return read_table(self.folder / "fragments.csv")
+
+    @cached_property
     def contacts(self):
         """DataFrame of the pairs that have touched: times [us] of what happened first, `lasts` [us]; NaN: it did not.
 
@@ -176,7 +181,7 @@ class Run:
     @cached_property
     def references(self):
         """Curves that the run was compared with, by name of file: DataFrames."""
-        own = {"history.csv", "events.csv"}
+        own = {"history.csv", "events.csv", "fragments.csv"}
         return Tables("reference", {p.name: p for p in sorted(self.folder.glob("*.csv")) if p.name not in own})
 
     def series(self, name):

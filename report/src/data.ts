@@ -164,6 +164,7 @@ export interface Run {
   case: string;
   resolved: string;
   events: RunEvent[];
+  fragments: { columns: string[]; rows: string[][]; left_out: number };
   bodies: { name: string; material: string }[];
   gauges: Gauge[];
   history?: Table;

@@ -4,7 +4,7 @@ import { useColours } from "./colours";
 import { type Report, type Run, readReport } from "./data";
 import { chooser, h, section } from "./dom";
 import { type Chart, gaugeCharts, historyChart } from "./gauges";
-import { budgets, caseText, chip, comparison, events, materials, sources, verdict } from "./sections";
+import { budgets, caseText, chip, comparison, events, fragments, materials, sources, verdict } from "./sections";
 import "./style.css";
 import { Viewer } from "./viewer";
 
@@ -35,6 +35,7 @@ function partsOf(run: Run, others: Run[]): HTMLElement[] {
       }
     : null;
   const history = historyChart(run, others, charts);
+  const pieces = fragments(run.fragments);
   const parts = [
     section("verdict", "Verdict", verdict(run)),
     section(
@@ -44,6 +45,7 @@ function partsOf(run: Run, others: Run[]): HTMLElement[] {
     ),
     run.gauges.length > 0 ? section("gauges", "Gauges", gaugeCharts(run, others, charts)) : null,
     section("events", "Events", events(run.events, show)),
+    pieces ? section("fragments", "Fragments", pieces) : null,
     section("budgets", "Balances", run.summary ? budgets(run.summary.budgets) : null, history),
     section("materials", "Materials", materials(run), sources(run)),
     section("case", "Case", caseText(run)),

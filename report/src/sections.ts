@@ -121,6 +121,25 @@ export function events(all: RunEvent[], show: ((time: number) => void) | null): 
   return table("Events", ["Time", "Event", "Bodies", "Place [mm]", "Detail"], rows, [0]);
 }
 
+/** The fragments at the end, where any body is in more than one piece. */
+export function fragments(all: Run["fragments"]): HTMLElement | null {
+  const column = (name: string) => all.columns.findIndex((c) => c.split(" [")[0] === name);
+  const bodies = all.rows.map((row) => row[column("body")]);
+  if (new Set(bodies).size === bodies.length) return null;
+  const shown = all.columns
+    .map((_, k) => k)
+    .filter((k) => /^(fragment|body|kind|mass|position|velocity|diameter)/.test(all.columns[k] ?? ""));
+  const cell = (text: string) => (text === "" || Number.isNaN(Number(text)) ? text : written(Number(text), 4));
+  const rows = all.rows.map((row) => shown.map((k) => cell(row[k] ?? "")));
+  const numbers = shown.map((_, k) => k).filter((k) => k !== 1 && k !== 2);
+  return h(
+    "div",
+    {},
+    table("Fragments at the end", shown.map((k) => all.columns[k] ?? ""), rows, numbers),
+    all.left_out > 0 ? h("p", { class: "note" }, `${all.left_out} lighter ones are in fragments.csv.`) : null,
+  );
+}
+
 export function budgets(all: Record<string, Drift>): HTMLElement {
   const rows = Object.entries(all).map(([name, d]) => [
     name,

@@ -14,6 +14,7 @@ std::string unit_of(const std::string& declared, const RunUnits& units) {
   if (declared == "energy") return units.energy;
   if (declared == "force") return units.force;
   if (declared == "area") return units.area;
+  if (declared == "volume") return units.volume;
   return declared;
 }
 

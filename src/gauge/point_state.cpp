@@ -1,11 +1,14 @@
 #include "gauge/point_state.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <variant>
 
 #include "dynamics/failed_matter.hpp"
 #include "dynamics/plastic_return.hpp"
 #include "dynamics/primitives.hpp"
+#include "dynamics/stress_invariants.hpp"
 
 namespace recoil {
 
@@ -43,6 +46,17 @@ PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents
   return p;
 }
 
+template <int Dim>
+double largest_principal(const PointState<Dim>& p) {
+  std::array<double, Components<Dim>::stresses> deviator;
+  for (std::size_t c = 0; c < deviator.size(); ++c)
+    deviator[c] = p.stress[c] + (c < (Dim == 1 ? 1U : 2U) ? p.pressure : 0);
+  return largest_principal_deviator<Dim>(deviator.data(), 1) - p.pressure;
+}
+
+template double largest_principal<1>(const PointState<1>&);
+template double largest_principal<2>(const PointState<2>&);
+template double largest_principal<3>(const PointState<3>&);
 template PointState<1> point_state<1>(const Body<1>&, const Contents<1>&, double);
 template PointState<2> point_state<2>(const Body<2>&, const Contents<2>&, double);
 template PointState<3> point_state<3>(const Body<3>&, const Contents<3>&, double);

@@ -30,6 +30,10 @@ struct PointState {
 template <int Dim>
 PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents, double volume);
 
+/// The largest principal stress [Pa], positive in tension.
+template <int Dim>
+double largest_principal(const PointState<Dim>& state);
+
 /// Part of a whole cell from which on a fragment's state is shown.
 inline constexpr double shown_fill = 0.3;
 

@@ -84,7 +84,7 @@ FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const Ru
       if (v < 0) v = std::numeric_limits<double>::quiet_NaN();
   std::set<double> seen;
   for (const double v : plane.values.values)
-    if (name == "contact" && !std::isnan(v)) seen.insert(v);
+    if ((name == "contact" || name == "fragment") && !std::isnan(v)) seen.insert(v);
   plane.categories = categories_of(name, plane.bodies, seen);
   plane.matter = plane.values;
   // Beyond all cells of the dump nothing is near.

@@ -144,6 +144,11 @@ std::vector<Category> categories_of(const std::string& name, const std::vector<s
     for (const double v : values)
       found.push_back({v, names_of_bits(bodies, static_cast<unsigned>(v)),
                        v == 0 ? grey : area_colour(found.size() - (values.contains(0) ? 1 : 0))});
+  constexpr std::size_t most_named = 24;  // of more a scale tells as much
+  if (name == "fragment" && values.size() <= most_named)
+    for (const double v : values)
+      found.push_back(
+          {v, fmt::format("{:.0f}", v), area_colour(static_cast<std::size_t>(std::max(v - 1, 0.0)))});
   return found;
 }
 

@@ -41,7 +41,8 @@ struct BodyField {
 /// The bodies of a dump, in their order.
 std::vector<BodyField> bodies_of(const UnstructuredGrid& grid);
 
-/// What the values of a scalar mean that has only a few ("body", "contact", "contact-state"), and a colour
+/// What the values of a scalar mean that has only a few ("body", "contact", "contact-state",
+/// "fragment" where there are not too many), and a colour
 /// for each; none of other scalars.
 std::vector<Category> categories_of(const std::string& name, const std::vector<std::string>& bodies,
                                     const std::set<double>& values);

@@ -110,7 +110,8 @@ struct CellView {
 
 template <int Dim>
 void pack_cell(const CellView<Dim>& c, const std::vector<FieldVariable>& variables,
-               const std::vector<std::uint32_t>& touched, std::vector<float>& floats, parallel::Bytes& out) {
+               const std::vector<std::uint32_t>& touched, const Fragments<Dim>* fragments,
+               std::vector<float>& floats, parallel::Bytes& out) {
   const auto& bodies = c.state.bodies;
   CellHead<Dim> head{c.i, c.state.mesh.block(c.slot).level};
   double most = 0, all = 0;
@@ -140,6 +141,8 @@ void pack_cell(const CellView<Dim>& c, const std::vector<FieldVariable>& variabl
       *at = static_cast<float>(all / c.full);
     else if (std::string_view(v.name) == "level")
       *at = static_cast<float>(head.level);
+    else if (std::string_view(v.name) == "fragment" && body != nullptr && fragments != nullptr)
+      *at = static_cast<float>(1 + fragments->at(head.body, c.slot, static_cast<int>(c.k)));
     else if (good)
       write_state(v, state, at);
     at += v.components;
@@ -151,7 +154,7 @@ void pack_cell(const CellView<Dim>& c, const std::vector<FieldVariable>& variabl
 
 template <int Dim>
 parallel::Bytes pack_blocks(const State<Dim>& state, const std::vector<FieldVariable>& variables,
-                            const std::vector<std::uint32_t>& touched) {
+                            const std::vector<std::uint32_t>& touched, const Fragments<Dim>* fragments) {
   parallel::Bytes out;
   std::vector<float> floats(static_cast<std::size_t>(floats_of(variables)) + state.bodies.size());
   const Box<Dim> layout = state.grid().layout();
@@ -163,7 +166,7 @@ parallel::Bytes pack_blocks(const State<Dim>& state, const std::vector<FieldVari
     for_each(cells, [&](const Index<Dim>& i) {
       const CellView<Dim> c{state, slot, i, static_cast<std::size_t>(layout.at(i - cells.lo)),
                             state.grid(slot).full_volume(i)};
-      if (c.shown()) pack_cell(c, variables, touched, floats, out);
+      if (c.shown()) pack_cell(c, variables, touched, fragments, floats, out);
     });
   }
   return out;
@@ -194,6 +197,7 @@ const std::vector<FieldVariable>& field_variables() {
       {"stress", "stress_GPa", "stress [GPa]", 6, true},
       {"von-mises", "von_mises_GPa", "von Mises stress [GPa]", 1, false},
       {"volume-fraction", "volume_fraction", "volume fraction", 1, false},
+      {"fragment", "fragment", "fragment: number in fragments.csv", 1, false},
       {"level", "level", "level of the cells: 0 the finest", 1, false},
       {"contact-state", "contact_state", "contact: 0 free, 1 touching, 2 slipping, 3 opened", 1, false},
       {"gap", "gap_mm", "gap [mm]", 1, true},
@@ -203,8 +207,8 @@ const std::vector<FieldVariable>& field_variables() {
 
 template <int Dim>
 UnstructuredGrid gather_fields(const State<Dim>& state, const parallel::World& world,
-                               const std::vector<FieldVariable>& variables) {
-  const auto all = world.gather(pack_blocks(state, variables, have_touched(state, world)));
+                               const std::vector<FieldVariable>& variables, const Fragments<Dim>* fragments) {
+  const auto all = world.gather(pack_blocks(state, variables, have_touched(state, world), fragments));
   UnstructuredGrid grid;
   if (world.rank() != 0) return grid;
   const std::size_t bodies = state.bodies.size();
@@ -260,8 +264,9 @@ FieldDump<Dim>::FieldDump(std::filesystem::path folder, std::string name,
 }
 
 template <int Dim>
-void FieldDump<Dim>::write(const State<Dim>& state, const parallel::World& world) {
-  const UnstructuredGrid grid = gather_fields(state, world, variables_);
+void FieldDump<Dim>::write(const State<Dim>& state, const parallel::World& world,
+                           const Fragments<Dim>* fragments) {
+  const UnstructuredGrid grid = gather_fields(state, world, variables_, fragments);
   const std::string file = fmt::format("{}_{:06}.hdf", name_, series_.size());
   series_.push_back({file, state.time});
   if (world.rank() != 0) return;
@@ -294,7 +299,7 @@ void FieldDump<Dim>::unpack(parallel::Unpacker& from, bool removes) {
 #define RECOIL_INSTANTIATE(Dim)                                                           \
   template class FieldDump<Dim>;                                                          \
   template UnstructuredGrid gather_fields<Dim>(const State<Dim>&, const parallel::World&, \
-                                               const std::vector<FieldVariable>&);
+                                               const std::vector<FieldVariable>&, const Fragments<Dim>*);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -6,6 +6,7 @@
 
 #include "format/unstructured_grid.hpp"
 #include "format/vtkhdf.hpp"
+#include "gauge/fragments/fragments.hpp"
 #include "parallel/world.hpp"
 #include "state/body.hpp"
 
@@ -38,7 +39,9 @@ class FieldDump {
   /// @param variables names as in field_variables(); empty: all. @throws InputError for an unknown one.
   FieldDump(std::filesystem::path folder, std::string name, const std::vector<std::string>& variables);
   /// Collective; rank 0 writes. @throws EnvironmentError.
-  void write(const State<Dim>& state, const parallel::World& world);
+  /// @param fragments of this state: what the variable `fragment` shows.
+  void write(const State<Dim>& state, const parallel::World& world,
+             const Fragments<Dim>* fragments = nullptr);
   /// Time of the last dump [s], or below 0.
   double last() const { return series_.empty() ? -1 : series_.back().time_s; }
 
@@ -56,6 +59,7 @@ class FieldDump {
 /// The grid of one dump, complete on rank 0, empty elsewhere. Collective.
 template <int Dim>
 UnstructuredGrid gather_fields(const State<Dim>& state, const parallel::World& world,
-                               const std::vector<FieldVariable>& variables);
+                               const std::vector<FieldVariable>& variables,
+                               const Fragments<Dim>* fragments = nullptr);
 
 }  // namespace recoil

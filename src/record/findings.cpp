@@ -108,6 +108,22 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
   return q;
 }
 
+void add_fragments(Quantities& q, const std::vector<BodyFragments>& fragments, const RunUnits& units) {
+  for (const BodyFragments& b : fragments) {
+    const std::string name = "fragments." + b.body;
+    q.numbers[name + ".pieces"] = b.pieces;
+    q.numbers[name + ".rubble-mass"] = b.rubble;
+    for (std::size_t k = 0; k < b.heaviest.size(); ++k) {
+      const std::string piece = fmt::format("{}.{}", name, k + 1);
+      const BodyFragments::Piece& p = b.heaviest[k];
+      q.numbers[piece + ".mass"] = p.mass;
+      for (std::size_t d = 0; d < p.velocity.size(); ++d)
+        q.numbers[piece + ".velocity." + units.axes[d]] = p.velocity[d];
+      if (p.velocity.size() == 1) q.numbers[piece + ".velocity"] = p.velocity[0];
+    }
+  }
+}
+
 std::vector<GaugeSummary> summarise(const std::vector<TimeSeries>& gauges) {
   std::vector<GaugeSummary> all;
   for (const TimeSeries& s : gauges) {

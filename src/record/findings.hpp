@@ -8,6 +8,7 @@
 #include "format/run_units.hpp"
 #include "record/budget.hpp"
 #include "record/events.hpp"
+#include "record/fragment_table.hpp"
 #include "record/quantities.hpp"
 #include "record/summary.hpp"
 
@@ -26,6 +27,11 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
                            const std::vector<bool>& rigid, const RunUnits& units,
                            const std::vector<Drift>& budgets, const EventWatch& events,
                            const std::vector<std::pair<std::string, std::int64_t>>& floors, long steps);
+
+/// fragments.BODY.pieces, .rubble-mass, and of the heaviest pieces, N from 1 to 3, fragments.BODY.N.mass and
+/// by AXIS .velocity, NaN where there are not so many.
+void add_fragments(Quantities& quantities, const std::vector<BodyFragments>& fragments,
+                   const RunUnits& units);
 
 /// The main columns of all gauges in short.
 std::vector<GaugeSummary> summarise(const std::vector<TimeSeries>& gauges);

@@ -57,8 +57,7 @@ void Recorder<Dim>::begin(const State<Dim>& state) {
   p.gauges.record(state.time, 0, p.sums, p.pairs, &totals, true);
   const auto floors = p.count_floors(state);
   together(p.world, [&] { check_known(p.quantities(totals, floors, state.step), p.case_.expect); });
-  p.fields.write(state, p.world);
-  p.fields_due.done(state.time);
+  p.dump(state);
   if (p.first()) p.save_status(state, "running");
 }
 
@@ -93,7 +92,7 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
   if (p.first()) p.look(totals, true);
   p.collect(state, state.step == 0, true);
   p.gauges.record(state.time, 0, p.sums, p.pairs, &totals, true);
-  if (p.fields.last() < state.time) p.fields.write(state, p.world);
+  if (p.fields.last() < state.time) p.dump(state);
   s.floors = p.count_floors(state);
   if (p.first()) {
     p.events.finish();
@@ -107,6 +106,7 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
     s.turns = p.units.turns, s.turning_unit = p.units.angular_momentum, s.turning = p.budget.turning();
     s.gauges = summarise(q.gauges);
     s.events = p.events.events();
+    s.fragments = p.fragments.last();
   }
   s.passed = !p.world.any(!s.passed);
   s.verdict = p.verdict_on(state, s, facts);

@@ -24,6 +24,7 @@
 #include "parallel/archive.hpp"
 #include "record/field_dump.hpp"
 #include "record/findings.hpp"
+#include "record/fragment_table.hpp"
 #include "record/history.hpp"
 #include "record/lift_off.hpp"
 #include "record/recorder.hpp"
@@ -48,6 +49,14 @@ template <int Dim>
 std::vector<bool> rigid_bodies(const State<Dim>& state) {
   std::vector<bool> rigid;
   for (const auto& body : state.bodies) rigid.push_back(body.rigid && !body.rigid->mass);
+  return rigid;
+}
+
+/// Those that have no cells of their own.
+template <int Dim>
+std::vector<bool> without_cells(const State<Dim>& state) {
+  std::vector<bool> rigid;
+  for (const auto& body : state.bodies) rigid.push_back(body.rigid.has_value());
   return rigid;
 }
 
@@ -127,6 +136,7 @@ struct Recorder<Dim>::Parts {
   BudgetWatch<Dim> budget;
   std::optional<History<Dim>> history;
   FieldDump<Dim> fields;
+  FragmentTable<Dim> fragments;
   StateSurvey<Dim> survey;
   bool stopped = false;
   Due history_due, fields_due;
@@ -150,6 +160,7 @@ struct Recorder<Dim>::Parts {
         lift_off(contact_rule(state, c.method).hold),
         budget(names, rigid, units.balanced),
         fields(make_folder("fields"), case_name(c), c.output.fields.variables),
+        fragments(names, without_cells(state), units),
         survey(state, c.limits),
         history_due(c.output.history.every),
         fields_due(c.output.fields.every),
@@ -161,6 +172,7 @@ struct Recorder<Dim>::Parts {
     history.emplace(directory / "history.csv", names, rigid, units, mode);
     write_events(directory / "events.csv", events.events());
     events_written = events.events().size();
+    fragments.open(directory / "fragments.csv", mode, fields.last());
   }
 
   bool first() const { return world.rank() == 0; }
@@ -242,7 +254,14 @@ struct Recorder<Dim>::Parts {
   void dump_if_due(const State<Dim>& state) {
     // Without an interval only the first and the last picture are wanted.
     if (case_.output.fields.every <= 0 || !fields_due.at(state.time)) return;
-    fields.write(state, world);
+    dump(state);
+  }
+
+  /// Fields, and the table of fragments. Collective.
+  void dump(const State<Dim>& state) {
+    const Fragments<Dim> found = find_fragments(state, world);
+    fields.write(state, world, &found);
+    if (first()) fragments.write(found, state.time);
     fields_due.done(state.time);
   }
 
@@ -317,6 +336,7 @@ struct Recorder<Dim>::Parts {
   Quantities quantities(const Totals<Dim>& totals,
                         const std::vector<std::pair<std::string, std::int64_t>>& floors, long steps) const {
     Quantities q = find_quantities(totals, names, rigid, units, budget.worst(), events, floors, steps);
+    add_fragments(q, fragments.last(), units);
     q.gauges = gauges.series();
     q.folder = std::filesystem::path(case_.file).parent_path();
     return q;

@@ -9,7 +9,6 @@
 
 #include "dynamics/inadmissible.hpp"
 #include "dynamics/primitives.hpp"
-#include "dynamics/stress_invariants.hpp"
 #include "gauge/point_state.hpp"
 #include "parallel/archive.hpp"
 
@@ -28,15 +27,6 @@ constexpr long recent_steps = 100;
 double bulk_modulus(const Material& m) {
   const double c = bulk_sound_speed(m);
   return density(m) * c * c;
-}
-
-/// The largest principal stress [Pa].
-template <int Dim>
-double largest_principal(const PointState<Dim>& p) {
-  std::array<double, Components<Dim>::stresses> deviator;
-  for (std::size_t c = 0; c < deviator.size(); ++c)
-    deviator[c] = p.stress[c] + (c < (Dim == 1 ? 1U : 2U) ? p.pressure : 0);
-  return largest_principal_deviator<Dim>(deviator.data(), 1) - p.pressure;
 }
 
 /// What is solid of a fragment: all of it, but of failed matter.

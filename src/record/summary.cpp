@@ -47,6 +47,12 @@ Json gauges_json(const std::vector<GaugeSummary>& gauges) {
   return all;
 }
 
+Json fragments_json(const std::vector<BodyFragments>& bodies) {
+  Json all = Json::object();
+  for (const BodyFragments& b : bodies) all[b.body] = {{"pieces", b.pieces}, {"heaps_of_rubble", b.heaps}};
+  return all;
+}
+
 Json events_json(const std::vector<Event>& events) {
   Json all = Json::array();
   for (const Event& e : events) {
@@ -122,6 +128,7 @@ void write_summary(const std::filesystem::path& path, const Summary& s) {
   if (!s.turns.empty()) j["angular_momentum"] = turning_json(s);
   j["gauges"] = gauges_json(s.gauges);
   j["events"] = events_json(s.events);
+  j["fragments"] = fragments_json(s.fragments);
   Json floors = Json::object();
   for (const auto& [name, count] : s.floors) floors[name] = count;
   j["floors"] = std::move(floors);

@@ -9,6 +9,7 @@
 #include "config/case.hpp"
 #include "record/budget.hpp"
 #include "record/events.hpp"
+#include "record/fragment_table.hpp"
 #include "record/quantities.hpp"
 #include "record/validity.hpp"
 #include "state/averaged_states.hpp"
@@ -49,6 +50,7 @@ struct Summary {
   std::vector<Turning> turning;  ///< in the order of `budgets`
   std::vector<GaugeSummary> gauges;
   std::vector<Event> events;
+  std::vector<BodyFragments> fragments;  // at the end
   std::vector<std::pair<std::string, std::int64_t>> floors;
   std::vector<CheckResult> expect;
 };

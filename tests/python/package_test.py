@@ -56,7 +56,8 @@ class Results(Scratch):
         "contact.flyer-target.separates": "us", "contact.flyer-target.lasts": "us", "body.flyer.momentum.x": "kg/(m s)",
         "body.flyer.velocity.x": "m/s", "body.total.energy": "J/m2", "body.target.highest.x": "mm",
         "body.target.plastic-strain": "1", "budget.total.energy": "1", "floor.cleared-strains": "1", "run.steps": "1",
-        "gauge.impact.traction.pullback": "GPa",
+        "gauge.impact.traction.pullback": "GPa", "fragments.target.pieces": "1", "fragments.target.rubble-mass": "kg/m2",
+        "fragments.flyer.1.mass": "kg/m2", "fragments.flyer.1.velocity": "m/s",
     }  # fmt: skip
 
     @classmethod
@@ -124,6 +125,12 @@ class Results(Scratch):
         self.assertEqual(events["place.x"][0], 0)
         self.assertAlmostEqual(events["place.x"][1], self.run_.summary["events"][1]["place_mm"][0], delta=1e-5)
         self.assertEqual(events.attrs["units"]["place.x"], "mm")
+        pieces = self.run_.fragments
+        self.assertEqual(list(pieces["body"][-2:]), ["flyer", "target"])
+        self.assertEqual(list(pieces["kind"].unique()), ["piece"])
+        self.assertAlmostEqual(pieces["mass"].iloc[-2], 2700 * 2e-3, delta=1e-11)
+        self.assertEqual(pieces.attrs["units"]["position.x"], "mm")
+        self.assertEqual(self.run_.summary["fragments"]["target"], {"pieces": 1, "heaps_of_rubble": 0})
         pair = self.run_.contacts.loc["flyer-target"]
         self.assertEqual((pair["made"], pair["opens"]), (0, events["time"][1]))
         self.assertTrue(numpy.isnan(pair["recloses"]))

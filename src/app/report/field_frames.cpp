@@ -24,7 +24,7 @@ constexpr double tail = 0.005;        // part of the values at either end that c
 
 /// Fields of whole numbers.
 bool has_categories(const FieldScalar& s) {
-  return s.name == "body" || s.name == "contact" || s.name == "contact-state";
+  return s.name == "body" || s.name == "contact" || s.name == "contact-state" || s.name == "fragment";
 }
 
 /// Curves as whole numbers: body, whether closed, number of points, all x, all y.

@@ -87,6 +87,25 @@ Json events_json(const fs::path& file) {
   return all;
 }
 
+/// The fragments at the end, the first of them: names of columns with units, and rows as text.
+Json fragments_json(const fs::path& file) {
+  constexpr std::size_t most = 50;
+  Json j = {{"columns", Json::array()}, {"rows", Json::array()}, {"left_out", 0}};
+  if (!fs::exists(file)) return j;
+  const CsvTable table = read_csv(file);
+  j["columns"] = table.columns;
+  std::size_t left_out = 0;
+  for (const std::vector<std::string>& row : table.rows) {
+    if (row.front() != table.rows.back().front()) continue;
+    if (j["rows"].size() < most)
+      j["rows"].push_back(row);
+    else
+      ++left_out;
+  }
+  j["left_out"] = left_out;
+  return j;
+}
+
 /// What `recoil check` said before the run.
 std::string predicted(const LoadedCase& loaded) {
   std::string text;
@@ -125,7 +144,8 @@ Json run_data(const fs::path& run, const LoadedCase& loaded, Blocks& blocks) {
             {"predicted", predicted(loaded)},
             {"case", text_of(run / "case.toml")},
             {"resolved", text_of(run / "case.resolved.toml")},
-            {"events", events_json(run / "events.csv")}};
+            {"events", events_json(run / "events.csv")},
+            {"fragments", fragments_json(run / "fragments.csv")}};
   for (const config::Body& body : c.bodies)
     j["bodies"].push_back({{"name", body.name}, {"material", body.rigid ? "rigid" : body.material}});
   j["gauges"] = gauges_json(run, loaded, blocks);

@@ -24,9 +24,9 @@ namespace {
 
 /// Everything that a run leaves behind, and nothing else is ever removed.
 constexpr const char* traces[] = {
-    "case.toml",      "case.resolved.toml", "run.log",    "status.json", "summary.json",
-    "quantities.csv", "history.csv",        "events.csv", "gauges",      "fields",
-    "crash",          "checkpoints",        "report.html"};
+    "case.toml",   "case.resolved.toml", "run.log", "status.json", "summary.json",  "quantities.csv",
+    "history.csv", "events.csv",         "gauges",  "fields",      "fragments.csv", "crash",
+    "checkpoints", "report.html"};
 
 constexpr const char* lock_name = ".lock";
 

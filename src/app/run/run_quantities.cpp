@@ -98,6 +98,7 @@ std::string unit_of_number(const std::string& name, const RunUnits& u) {
   const std::string what = name.substr(std::min(name.find('.', group + 1), name.size() - 1) + 1);
   if (name.starts_with("contact.")) return what == "restitution" ? "1" : "us";
   if (name.starts_with("failure.")) return what == "time" ? "us" : "mm";
+  if (name.starts_with("fragments.")) return name.ends_with("mass") ? u.mass : what == "pieces" ? "1" : "m/s";
   if (!name.starts_with("body.")) return "1";
   const std::string quantity = what.substr(0, what.find('.'));
   const std::array<std::pair<const char*, std::string>, 11> units{{{"mass", u.mass},
@@ -197,6 +198,7 @@ void write_quantities(const fs::path& file, const config::Case& c, const State<D
                                  EventWatch(names, c.domain.geometry, rule), summary.floors, summary.steps);
   take_events(q, summary.events);
   take_places(q, summary.events, units.axes);
+  add_fragments(q, summary.fragments, units);
   tidy(q, names, summary.expect);
   std::string text = "quantity,value,unit\n";
   for (const auto& [name, value] : q.numbers) {

@@ -9,8 +9,13 @@
 #include "config/gauge/bar.hpp"
 #include "config/gauge/body.hpp"
 #include "config/gauge/contact.hpp"
+#include "config/gauge/crater.hpp"
+#include "config/gauge/fragments.hpp"
 #include "config/gauge/peak_stress.hpp"
+#include "config/gauge/peak_tension.hpp"
 #include "config/gauge/point.hpp"
+#include "config/gauge/pullback.hpp"
+#include "config/gauge/residual.hpp"
 #include "config/gauge/surface_velocity.hpp"
 
 namespace recoil::config {
@@ -18,7 +23,8 @@ namespace recoil::config {
 /// Every kind of gauge, in the order of help. Each declares its keys and columns; what it does stands in
 /// src/gauge/kind/NAME_gauge.cpp.
 using GaugeKind = std::variant<SurfaceVelocityGauge, PointGauge, BodyGauge, ContactGauge, BarGauge,
-                               AttitudeGauge, PeakStressGauge>;
+                               AttitudeGauge, PeakStressGauge, PullbackGauge, FragmentsGauge,
+                               PeakTensionGauge, CraterGauge, ResidualGauge>;
 
 /// A record over time, written to gauges/NAME.csv.
 struct Gauge {

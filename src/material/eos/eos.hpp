@@ -76,17 +76,20 @@ inline bool is_fluid(const Eos& eos) {
   return std::visit([]<class Model>(const Model&) { return is_fluid<Model>(); }, eos);
 }
 
-/// Least c^2 that the scheme works with, as a part of that at rest. A gas goes on expanding where a solid
-/// would have broken, and its speed of sound falls with it.
+/// Least c^2 at walls [m2/s2]: their velocity has the pressure over the impedance in it, and a gas that has
+/// hardly any pressure left must not run away by the errors of both.
 template <class Model>
-constexpr double least_sound() {
-  return is_fluid<Model>() ? 1e-6 : 0.05;
+double least_wall_sound_squared(const Model& eos) {
+  const double c0 = bulk_sound_speed(eos);
+  return 0.05 * c0 * c0;
 }
-/// The same [m2/s2]. Wave speeds use at least this; states below are counted.
+
+/// Least c^2 that wave speeds use [m2/s2]; states below are counted. A gas goes on expanding where a solid
+/// would have broken, and its speed of sound falls with it.
 template <class Model>
 double least_sound_squared(const Model& eos) {
   const double c0 = bulk_sound_speed(eos);
-  return least_sound<Model>() * c0 * c0;
+  return (is_fluid<Model>() ? 1e-6 : 0.05) * c0 * c0;
 }
 inline double least_sound_squared(const Eos& eos) {
   return std::visit([](const auto& model) { return least_sound_squared(model); }, eos);

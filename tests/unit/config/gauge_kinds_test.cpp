@@ -44,6 +44,36 @@ TEST(GaugeKinds, AreRead) {
   EXPECT_EQ(std::get<AttitudeGauge>(attitude.gauges[0].kind).body, "bar");
 }
 
+TEST(GaugeKinds, OfWhatBreaksAreRead) {
+  Diagnostics out;
+  const Case crater = with_gauge("axisymmetric",
+                                 "kind = \"crater\"\nbody = \"bar\"\nat = { z = \"1 mm\" }\n"
+                                 "direction = { z = -2 }\nradius = \"3 mm\"\n",
+                                 out);
+  const Case pieces =
+      with_gauge("1d", "kind = \"fragments\"\nbody = \"bar\"\nsmaller-than = \"2 mm\"\n", out);
+  const Case signal = with_gauge("1d", "kind = \"pullback\"\nbody = \"bar\"\nat = { x = \"2 mm\" }\n", out);
+  const Case behind = with_gauge(
+      "1d", "kind = \"residual\"\nbody = \"bar\"\nat = { x = \"9 mm\" }\ndirection = { x = 1 }\n", out);
+  ASSERT_EQ(out.text(), "");
+  EXPECT_EQ(std::get<CraterGauge>(crater.gauges[0].kind).direction, (Vector{0, -1, 0}));
+  EXPECT_DOUBLE_EQ(std::get<FragmentsGauge>(pieces.gauges[0].kind).smaller_than, 2e-3);
+  EXPECT_DOUBLE_EQ(std::get<PullbackGauge>(signal.gauges[0].kind).at[0], 2e-3);
+  EXPECT_DOUBLE_EQ(std::get<ResidualGauge>(behind.gauges[0].kind).direction[0], 1);
+  const std::string pit = "kind = \"crater\"\nbody = \"bar\"\nradius = \"3 mm\"\n";
+  const auto says = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(says(complaints("planar", pit + "at = { x = \"1 mm\" }\ndirection = { x = 1, y = 1 }\n"),
+                   "normal to an axis"));
+  EXPECT_TRUE(says(complaints("axisymmetric", pit + "at = { z = \"1 mm\" }\ndirection = { r = 1 }\n"),
+                   "normal to z"));
+  EXPECT_TRUE(says(complaints("axisymmetric", pit + "at = { r = \"1 mm\" }\ndirection = { z = 1 }\n"),
+                   "on the axis"));
+  EXPECT_TRUE(says(complaints("1d", pit + "at = { x = \"1 mm\" }\ndirection = { x = 1 }\n"),
+                   "does not exist in geometry \"1d\""));
+}
+
 TEST(GaugeKinds, MistakesGetACure) {
   const auto has = [](const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;

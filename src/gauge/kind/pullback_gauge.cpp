@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "gauge/due.hpp"
+#include "gauge/gauge_watch.hpp"
+#include "gauge/kind/pullback_signal.hpp"
+#include "gauge/probes.hpp"
+#include "parallel/archive.hpp"
+
+namespace recoil {
+
+namespace {
+
+template <int Dim>
+class PullbackWatch : public GaugeWatch<Dim> {
+ public:
+  PullbackWatch(const config::PullbackGauge& from, const WatchSetup<Dim>& setup)
+      : point_{body_number(setup.state, from.body), first_components<Dim>(from.at), {}},
+        item_(setup.sums.item(surface_sums<Dim>)),
+        scab_item_(setup.sums.item(0, 1)),
+        due_(from.every) {
+    const Body<Dim>& body = setup.state.bodies[point_.body];
+    if (body.rigid) return;
+    density_ = density(body.material), sound_ = bulk_sound_speed(body.material);
+    longitudinal_ = longitudinal_speed(body.material);
+    may_fail_ = can_fail(body.material.damage);
+  }
+
+  bool reads_every_step() const override { return true; }
+  void collect(const State<Dim>& state, const parallel::World& /*world*/, bool at_rest,
+               OrderedSums& sums) override {
+    if (at_rest)
+      probe_surface_at_rest(state, point_, item_, sums);
+    else
+      probe_surface(state, point_, item_, sums);
+    if (may_fail_ && due_.at(state.time)) look_for_failed(state, sums);
+    if (due_.at(state.time)) due_.done(state.time);
+  }
+  void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
+    const auto surface = read_surface<Dim>(reading.sums.total(item_));
+    follow_surface(point_, surface, reading.dt);
+    if (surface.found) signal_.add(reading.time, dot(surface.velocity, surface.normal));
+    if (reading.sums.any(scab_item_)) scab_ = -reading.sums.total(scab_item_)[0];
+    const double fall = signal_.fall();
+    row.insert(row.end(), {fall, 0.5 * density_ * sound_ * fall, 0.5 * signal_.slope() / sound_,
+                           signal_.peak(), signal_.peak_time(), signal_.low(), signal_.low_time(), scab_,
+                           0.5 * longitudinal_ * signal_.period()});
+  }
+  void pack(parallel::Bytes& bytes) const override {
+    parallel::ArchiveWriter archive(bytes);
+    archive(point_, signal_, scab_, due_);
+  }
+  void unpack(parallel::Unpacker& bytes) override {
+    parallel::ArchiveReader archive(bytes);
+    archive(point_, signal_, scab_, due_);
+  }
+
+ private:
+  /// The smallest distance from the surface, against its normal, to the near side of a failed cell.
+  void look_for_failed(const State<Dim>& state, OrderedSums& sums) const {
+    if (point_.normal == Vec<Dim>{}) return;
+    const Grid<Dim>& grid = state.grid();
+    const Body<Dim>& body = state.bodies[point_.body];
+    double length = 0;
+    for (int d = 0; d < Dim; ++d) length += grid.cells[d] * grid.dx;
+    for (double s = 0.5 * grid.dx; s < length; s += grid.dx) {
+      const Vec<Dim> x = point_.at - s * point_.normal;
+      const int slot = state.mesh.find(x);
+      if (slot < 0 || slot >= state.mesh.local() || !body.present(slot)) continue;
+      const Grid<Dim>& own = state.grid(slot);
+      const BodyBlock<Dim>& b = body.at(slot);
+      const Index<Dim> i = own.cell_of(x);
+      const auto k = static_cast<std::size_t>(own.layout().at(i - state.mesh.block(slot).cells.lo));
+      const double failed = b.contents[Components<Dim>::damage * b.volume.size() + k];
+      if (!(failed > 0 && failed >= failed_damage * b.contents[k])) continue;
+      const double near = std::max(0.0, dot(point_.at - own.centre(i), point_.normal) - 0.5 * own.dx);
+      double& least = sums.add(scab_item_, state.mesh.block(slot).order)[0];
+      least = std::max(least, -near);
+    }
+  }
+
+  SurfacePoint<Dim> point_;
+  int item_, scab_item_;
+  Due due_;  // of the look along the normal
+  double density_ = nothing, sound_ = nothing, longitudinal_ = nothing, scab_ = nothing;
+  bool may_fail_ = false;
+  PullbackSignal signal_;
+};
+
+}  // namespace
+
+RECOIL_WATCH(config::PullbackGauge, PullbackWatch)
+
+}  // namespace recoil
