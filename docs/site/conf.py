@@ -29,3 +29,4 @@ def add_list(_app, name, source):
 
 def setup(app):
     app.connect("source-read", add_list)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
