@@ -10,8 +10,10 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import tempfile
+import textwrap
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -63,6 +65,25 @@ class Material(unittest.TestCase):
                 if " -o " in command:
                     picture = pathlib.Path(folder) / command.split(" -o ")[1]
                     self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+
+
+class Shapes(unittest.TestCase):
+    """docs/how-to/describe-a-body.md: every shape that it shows whole is read, in 3d."""
+
+    def test_shapes_of_the_page_are_read(self):
+        page = (ROOT / "docs" / "how-to" / "describe-a-body.md").read_text()
+        blocks = [b for b in re.findall(r"(?:^    .*\n)+", page, re.M) if "..." not in b]
+        self.assertGreaterEqual(len(blocks), 6)
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(ROOT / "templates" / "fragment.stl", folder)
+            case = pathlib.Path(folder) / "case.toml"
+            for block in blocks:
+                sides = "".join(f'{axis} = ["-50 mm", "50 mm"]\n' for axis in "xyz")
+                case.write_text(f'[domain]\ngeometry = "3d"\n{sides}[mesh]\nfinest = "5 mm"\n[time]\nend = "1 us"\n'
+                                f'[body.a]\nrigid = true\n{textwrap.dedent(block)}')  # fmt: skip
+                done = subprocess.run([os.environ["RECOIL_PROGRAM"], "check", case], capture_output=True, text=True, timeout=60)
+                self.assertNotIn("error", done.stderr, block)
+                self.assertIn("cost", done.stdout, block + done.stdout + done.stderr)
 
 
 class Reference(unittest.TestCase):
