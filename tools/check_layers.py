@@ -17,9 +17,9 @@ LAYERS = (
     ("field",),
     ("state",),
     ("cutcell", "contact"),
-    ("levelset", "dynamics", "boundary"),
+    ("levelset", "dynamics"),
     ("interface", "problem", "gauge"),
-    ("regrid", "timestep", "record"),
+    ("timestep", "record"),
     ("picture",),
     ("app",),
 )
@@ -87,9 +87,20 @@ def check(root):
     return found, len(files)
 
 
+def folders_missing(root, layers=LAYERS):
+    """The folders that `layers` names and root/src does not have, as lines of text."""
+    return [
+        f"tools/check_layers.py: LAYERS names {folder}, but there is no src/{folder}"
+        for folders in layers
+        for folder in folders
+        if not (Path(root) / "src" / folder).is_dir()
+    ]
+
+
 def main(arguments):
     root = Path(arguments[0]) if arguments else Path(__file__).resolve().parent.parent
     found, count = check(root)
+    found += folders_missing(root)
     for line in found:
         print(line)
     print(f"{count} files, {len(found)} breaches of the layer rule")

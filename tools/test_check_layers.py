@@ -86,6 +86,13 @@ class Fences(unittest.TestCase):
 
 
 class Tree(unittest.TestCase):
+    def test_names_without_a_folder_are_breaches(self):
+        with tempfile.TemporaryDirectory() as root:
+            (Path(root) / "src" / "core").mkdir(parents=True)
+            found = check_layers.folders_missing(root, (("core",), ("mesh", "material")))
+        self.assertEqual(len(found), 2)
+        self.assertIn("there is no src/mesh", found[0])
+
     def test_missing_source_folder_is_an_error(self):
         with tempfile.TemporaryDirectory() as root, self.assertRaises(FileNotFoundError):
             check_layers.check(root)

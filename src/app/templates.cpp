@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "app/commands.hpp"
@@ -25,10 +23,7 @@ namespace {
 
 constexpr const char* schema_name = "recoil-case-1.schema.json";
 
-std::string text_of(const std::string& name) {
-  std::ifstream in(templates_folder() / (name + ".toml"));
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+fs::path file_of(const std::string& name) { return templates_folder() / (name + ".toml"); }
 
 /// The first line of comment, that says what it is.
 std::string summary_of(const std::string& text) {
@@ -38,7 +33,8 @@ std::string summary_of(const std::string& text) {
 }
 
 int list_templates() {
-  for (const std::string& name : template_names()) fmt::print("{:14} {}\n", name, summary_of(text_of(name)));
+  for (const std::string& name : template_names())
+    fmt::print("{:14} {}\n", name, summary_of(text_of(file_of(name))));
   return 0;
 }
 
@@ -82,7 +78,7 @@ int new_case(const NewOptions& o) {
   fs::create_directories(folder, error);
   if (error)
     throw EnvironmentError(fmt::format("the folder {} cannot be made: {}", folder.string(), error.message()));
-  write_atomically(file, with_schema_beside(text_of(o.name)));
+  write_atomically(file, with_schema_beside(text_of(file_of(o.name))));
   for (const fs::path& other : files_beside(o.name))
     if (!error) fs::copy_file(other, folder / other.filename(), fs::copy_options::overwrite_existing, error);
   if (error)

@@ -30,6 +30,15 @@ std::string carets(std::string_view line, int column, int length) {
   return out;
 }
 
+/// A mistake that is met several times (a material that several bodies use) is listed once.
+void add_once(std::vector<Diagnostic>& list, Diagnostic one) {
+  const auto key = [](const Diagnostic& d) {
+    return std::tie(d.severity, d.place.file, d.place.line, d.place.column, d.message);
+  };
+  if (std::ranges::none_of(list, [&](const Diagnostic& d) { return key(d) == key(one); }))
+    list.push_back(std::move(one));
+}
+
 }  // namespace
 
 void Diagnostics::source(std::string file, std::string text) {
@@ -37,12 +46,12 @@ void Diagnostics::source(std::string file, std::string text) {
 }
 
 void Diagnostics::error(Place place, std::string message, std::string help) {
-  list_.push_back({Diagnostic::Severity::error, std::move(place), std::move(message), std::move(help)});
+  add_once(list_, {Diagnostic::Severity::error, std::move(place), std::move(message), std::move(help)});
   ++errors_;
 }
 
 void Diagnostics::warning(Place place, std::string message, std::string help) {
-  list_.push_back({Diagnostic::Severity::warning, std::move(place), std::move(message), std::move(help)});
+  add_once(list_, {Diagnostic::Severity::warning, std::move(place), std::move(message), std::move(help)});
 }
 
 std::string_view Diagnostics::line_of(const Place& place) const {

@@ -8,18 +8,19 @@
 /// What leaves the domain through its open edges by moves of volume.
 namespace recoil {
 
-/// The open edge of the domain beyond which the body lies, as seen from a cell at that edge.
+/// An open edge of the domain, as seen from a cell at that edge.
 struct OpenEdge {
   int axis = -1;  // -1: none
   bool low = false;
 };
 
-/// Axis -1 where the cell is not at an open edge, or the body does not lie beyond it.
+/// The open edge through which sign * grad phi leaves the domain from a cell: with -1 the body lies beyond
+/// it, with 1 the body's surface does. Axis -1: none.
 template <int Dim>
-OpenEdge edge_towards_body(const MovesView<Dim>& p, const Index<Dim>& i) {
+OpenEdge open_edge_along(const MovesView<Dim>& p, const Index<Dim>& i, int sign) {
   const Vec<Dim> g = phi_normal(p.window.box(), p.phi, i, p.grid.dx);
   const int axis = main_axis(g);
-  const bool low = g[axis] > 0;
+  const bool low = sign * g[axis] < 0;
   const bool at_edge = g[axis] != 0 && i[axis] == (low ? 0 : p.grid.cells[axis] - 1) &&
                        p.grid.edge[axis][low ? 0 : 1] == Edge::outflow;
   return at_edge ? OpenEdge{axis, low} : OpenEdge{};
@@ -49,7 +50,7 @@ bool is_last_at_edge(const MovesView<Dim>& p, const Index<Dim>& i) {
 /// edge, or the last of one that moves out.
 template <int Dim>
 bool leaves_domain(const MovesView<Dim>& p, const Index<Dim>& i) {
-  const OpenEdge edge = edge_towards_body(p, i);
+  const OpenEdge edge = open_edge_along(p, i, -1);
   if (edge.axis < 0) return false;
   if (p.kind[p.window.at(i)] == CellKind::empty) return true;
   const double momentum = p.contents(i)[Components<Dim>::u + static_cast<std::size_t>(edge.axis)];

@@ -35,6 +35,7 @@ struct Transfer {
   Index<Dim> state_cell{};       // whose state the volume takes along ...
   double factor = 0;             // ... this much of its contents
   bool everything = false;       // the cell is left with nothing
+  bool outside = false;          // through an open edge of the domain, `to` is the cell itself
   std::array<double, 3> kept{};  // of `bounded`: what `to` keeps that the volume should have taken along
 };
 
@@ -47,7 +48,7 @@ inline constexpr std::array<std::size_t, 3> bounded{Components<Dim>::ep, Compone
 /// than it has.
 template <int Dim>
 void keep_positive(const MovesView<Dim>& p, Transfer<Dim>& t) {
-  if (t.everything || t.volume >= 0 || p.volume[p.window.at(t.to)] + t.volume <= 0) return;
+  if (t.everything || t.outside || t.volume >= 0 || p.volume[p.window.at(t.to)] + t.volume <= 0) return;
   const Contents<Dim> state = p.contents(t.state_cell), there = p.contents(t.to);
   for (std::size_t n = 0; n < bounded<Dim>.size(); ++n) {
     const std::size_t c = bounded<Dim>[n];
@@ -214,6 +215,22 @@ void add_given(const MovesView<Dim>& p, const Index<Dim>& giver, const Contents<
   }
 }
 
+/// What a full cell at an open edge, beyond which the body goes on, gives there or takes from there.
+template <int Dim>
+Transfer<Dim> across_edge(const MovesView<Dim>& p, const Index<Dim>& i, double excess, Account<Dim>& edges) {
+  Transfer<Dim> t;
+  const double v = p.volume[p.window.at(i)];
+  if (!(v > least_state_fill * p.full(i))) return t;
+  t.to = t.state_cell = i;
+  t.any = t.outside = true;
+  t.volume = excess;
+  t.factor = excess / v;
+  Contents<Dim> passes{};
+  add_scaled<Dim>(passes, p.contents(i), t.factor);
+  if (p.window.inner().contains(i)) book<Dim>(passes, edges);
+  return t;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -288,7 +305,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Account<D
 }
 
 template <int Dim>
-void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
+void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Account<Dim>& edges, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
@@ -305,8 +322,9 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& sc
   transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
     double e = excess(i);
+    if (open_edge_along(p, i, 1).axis >= 0) return across_edge(p, i, e, edges);
     t.to = p.neighbour(i, 1);
-    if (t.to == i) return t;
+    if (t.to == i || !p.takes_part(i)) return t;
     const double there = p.volume[p.window.at(t.to)];
     bool from_own = e > 0 || there < std::max(ample_times * std::abs(e), ample_fill * p.full(t.to));
     if (from_own && !(p.volume[p.window.at(i)] > least_state_fill * p.full(i))) {
@@ -351,7 +369,7 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);       \
   template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                       \
   template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, Account<Dim>&, Scratch&); \
-  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);                  \
+  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Account<Dim>&, Scratch&);   \
   template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

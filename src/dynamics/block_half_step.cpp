@@ -101,6 +101,13 @@ void find_loading(const StrengthModel& strength, const Body<Dim>& body, Work<Dim
   });
 }
 
+/// Rows are read in whole vectors: what follows a row's changes is read, to no effect, and must be a number.
+template <int Dim>
+void clear_behind(const Work<Dim>& w, std::ptrdiff_t end, double* change) {
+  for (std::size_t c = 0; c < Components<Dim>::primitives; ++c)
+    std::fill_n(change + static_cast<std::ptrdiff_t>(c * w.wide) + end, vector_length - 1, 0.0);
+}
+
 /// What the rings' widening does in row r, where axisymmetric.
 [[gnu::always_inline]] inline void widen(const Work<2>& w, const Index<2>& r, int i, const Reader<2>& read,
                                          std::ptrdiff_t k, const Primitives<2>& v, Primitives<2>& rate) {
@@ -130,6 +137,7 @@ void find_change(double g, double half, Work<Dim>& w) {
                                               read.response(k, w.ahead.loading));
       for (std::size_t c = 0; c < rate.size(); ++c) change[c * w.wide + k] = half * rate[c];
     }
+    clear_behind(w, first + width, change);
   });
 }
 
@@ -143,6 +151,7 @@ void find_ring_change(double g, double half, Work<2>& w) {
       if (!w.open || w.open[k] != 0) widen(w, r, i, read, k, read.at(k), rate);
       for (std::size_t c = 0; c < rate.size(); ++c) w.ahead.change[2][c * w.wide + k] = half * rate[c];
     }
+    clear_behind(w, first + width, w.ahead.change[2]);
   });
 }
 

@@ -7,6 +7,7 @@
 #include "cutcell/moves_view.hpp"
 #include "dynamics/failed_matter.hpp"
 #include "dynamics/primitives.hpp"
+#include "state/places.hpp"
 
 namespace recoil {
 
@@ -20,11 +21,6 @@ bool is_whole(const State<Dim>& state, const BodyBlock<Dim>& b, std::size_t k, c
   return b.end_geometry.kind[k] == CellKind::full && b.volume[k] >= whole * state.grid().full_volume(i);
 }
 
-template <int Dim>
-bool has_failed(const BodyBlock<Dim>& b, std::size_t k) {
-  return b.contents[Components<Dim>::damage * b.volume.size() + k] >= failed_damage * b.contents[k];
-}
-
 /// Solid part of a whole cell; 1 where the matter has not failed or is under pressure.
 template <int Dim>
 double solid_part(const Body<Dim>& body, const BodyBlock<Dim>& b, std::size_t k) {
@@ -35,13 +31,6 @@ double solid_part(const Body<Dim>& body, const BodyBlock<Dim>& b, std::size_t k)
   for (std::size_t d = 0; d < Dim; ++d) kinetic += 0.5 * q[C::u + d] * q[C::u + d] / q[C::rho];
   const double rho = q[C::rho] / b.volume[k], e = (q[C::energy] - kinetic) / q[C::rho];
   return solid_fraction(body.material.eos, rho, e);
-}
-
-/// f(cell, place in the block) for all cells of the block.
-template <int Dim, class F>
-void for_each_place(const State<Dim>& state, int slot, F&& f) {
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid().layout();
-  for_each(cells, [&](const Index<Dim>& i) { f(i, static_cast<std::size_t>(layout.at(i - cells.lo))); });
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <string>
 #include <variant>
+#include <vector>
 
-#include "core/error.hpp"
 #include "dynamics/failed_matter.hpp"
+#include "state/places.hpp"
+#include "state/state_error.hpp"
 
 namespace recoil {
 
@@ -20,6 +22,12 @@ namespace {
 constexpr double least_averaged = 0.1, thinnest_averaged = 0.4, densest_averaged = 1.2;
 constexpr double thinnest_used = 0.4;  // likewise: a fragment below it is of no use to fits and stencils ...
 constexpr double thinnest_failed = 1e-3;  // ... unless it has failed (of rho0): then most of it may be void
+
+template <int Dim>
+std::vector<double> point_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
+  const Vec<Dim> x = state.grid(slot).centre(state.mesh.block(slot).cells.lo + local);
+  return {x.c.begin(), x.c.end()};
+}
 
 template <int Dim>
 std::string place_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
@@ -43,18 +51,22 @@ template <int Dim>
     kinetic += 0.5 * u * u;
     velocity += fmt::format("{}{:.6g}", d > 0 ? ", " : "", u);
   }
-  throw PhysicsError(fmt::format(
-      "{} has a density beyond its equation of state at {}, {:.6g} us: {:.6g} kg/m3, the largest is {:.6g}; "
-      "velocity ({}) m/s, internal energy {:.6g} J/kg, {:.3g} of a cell",
-      body.name, place_of(state, slot, local), state.time * 1e6, rho, largest_density(body.material.eos),
-      velocity, q[Components<Dim>::energy] / mass - kinetic,
-      b.volume[k] / state.grid(slot).full_volume(state.mesh.block(slot).cells.lo + local)));
+  throw StateError(
+      body.name, point_of(state, slot, local),
+      fmt::format("{} has a density beyond its equation of state at {}, {:.6g} us: {:.6g} kg/m3, the largest "
+                  "is {:.6g}; "
+                  "velocity ({}) m/s, internal energy {:.6g} J/kg, {:.3g} of a cell",
+                  body.name, place_of(state, slot, local), state.time * 1e6, rho,
+                  largest_density(body.material.eos), velocity, q[Components<Dim>::energy] / mass - kinetic,
+                  b.volume[k] / state.grid(slot).full_volume(state.mesh.block(slot).cells.lo + local)));
 }
 
-template <int Dim, class F>
-void for_each_cell(const State<Dim>& state, int slot, F&& f) {
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
-  for_each(cells, [&](const Index<Dim>& i) { f(i, static_cast<std::size_t>(layout.at(i - cells.lo))); });
+template <int Dim>
+[[noreturn]] void refuse_state(const State<Dim>& state, const Body<Dim>& body, int slot,
+                               const Index<Dim>& local, double rho, double p) {
+  throw StateError(body.name, point_of(state, slot, local),
+                   fmt::format("{} has no admissible state at {}: density {:.6g} kg/m3, pressure {:.6g} GPa",
+                               body.name, place_of(state, slot, local), rho, p * 1e-9));
 }
 
 /// One row of cells, all of them donors: the loop that interior blocks run.
@@ -106,7 +118,7 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
         row_primitives<Dim>(eos, first, count, n, b.contents.data(), b.volume.data(), b.average.data());
       count = 0;
     };
-    for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
       const double volume = b.volume[k], rho = b.contents[k] / volume;
       const bool donor = (b.role[k] & donates) != 0;
       if (donor && volume > least_averaged * grid.full_volume(i) && rho > thinnest * eos.rho0 &&
@@ -119,8 +131,9 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
       flush();
       if (!donor) return;
       if (!std::isfinite(rho))
-        throw PhysicsError("the density of " + body.name + " is not a number at " +
-                           place_of(state, slot, i - cells.lo));
+        throw StateError(
+            body.name, point_of(state, slot, i - cells.lo),
+            "the density of " + body.name + " is not a number at " + place_of(state, slot, i - cells.lo));
       ++counters.averages_kept;  // of the stage before
     });
     flush();
@@ -134,13 +147,10 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
   BodyBlock<Dim>& b = body.at(slot);
   const double rho0 = density(body.material);
   const bool fails = can_fail(body.material.damage);
-  const auto has_failed = [&](std::size_t k) {
-    return b.contents[Components<Dim>::damage * b.volume.size() + k] >= failed_damage * b.contents[k];
-  };
   const double densest = largest_density(body.material.eos);
   const double thinnest = thinnest_used * density_range(body.material.eos).least;
   const Grid<Dim>& grid = state.grid(slot);
-  for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+  for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     const double fill = b.volume[k] / grid.full_volume(i);
     std::uint8_t role = 0;
     if (fill > donor_fill) role |= donates;
@@ -148,7 +158,7 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
     const double rho = role != 0 ? b.contents[k] / b.volume[k] : rho0;
     if (fill >= regular_fill && !(rho < densest))
       refuse_density(state, body, slot, i - state.mesh.block(slot).cells.lo, k);
-    if (role != 0 && !(rho > (fails && has_failed(k) ? thinnest_failed : thinnest) * rho0)) {
+    if (role != 0 && !(rho > (fails && has_failed(b, k) ? thinnest_failed : thinnest) * rho0)) {
       ++counters.fragments_too_thin;
       role = 0;
     }
@@ -190,7 +200,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   std::visit(
       [&](const auto& eos) {
         const double least = least_sound_squared(eos);
-        for_each_cell(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+        for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
           if ((b.role[k] & regular) == 0) return;
           const double rho = b.average[k], p = b.average[C::p * n + k];
           const double c2 = eos.sound_speed_squared(rho, p);
@@ -198,9 +208,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
           for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(b.average[(C::u + d) * n + k]);
           const bool dust = fails && p == 0 && b.average[C::damage * n + k] >= failed_damage;
           if (!std::isfinite(sum + c2) || !(rho > 0) || !(dust || eos.admissible(rho)))
-            throw PhysicsError(fmt::format(
-                "{} has no admissible state at {}: density {:.6g} kg/m3, pressure {:.6g} GPa", body.name,
-                place_of(state, slot, i - state.mesh.block(slot).cells.lo), rho, p * 1e-9));
+            refuse_state(state, body, slot, i - state.mesh.block(slot).cells.lo, rho, p);
           if (c2 < least) ++counters.floored_sound_speeds;
           sum += Dim * std::sqrt((c2 > least ? c2 : least) + 4 * g / (3 * rho));
           fastest = sum > fastest ? sum : fastest;

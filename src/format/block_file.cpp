@@ -93,6 +93,18 @@ void fill(hid_t file, const BlockFileHead& head, long first, const Part& part, c
              reinterpret_cast<const unsigned char*>(part.bytes.data()), part.bytes.size());
 }
 
+/// What the file needs beside the records, at most.
+constexpr std::uintmax_t room_for_the_rest = 1 << 16;  // bytes
+
+/// Takes the room of the file and gives it back: HDF5 1.10 cannot close a file that a full disk has cut
+/// short, and its processes would wait for each other for ever. @throws EnvironmentError.
+void look_for_room(const std::filesystem::path& temporary, const BlockFileHead& head, const Part& part) {
+  const std::uintmax_t size = head.text.size() + head.whole.size() +
+                              part.offset.size() * (sizeof part.offset[0] + sizeof part.hash[0]) +
+                              static_cast<std::uintmax_t>(part.offset.back()) + room_for_the_rest;
+  take_room(temporary, size);
+}
+
 /// All processes write into one file.
 void write_together(const std::filesystem::path& temporary, const BlockFileHead& head, long first,
                     const Part& part, const parallel::World& world) {
@@ -142,7 +154,10 @@ std::vector<T> read_part(hid_t file, const char* name, hid_t type, const std::fi
   const Hdf5Handle space(H5Dget_space(set), H5Sclose, "ask for a space");
   const auto total = static_cast<hsize_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0));
   if (count == H5S_ALL) count = total;
-  if (first + count > total) damaged(path, fmt::format("its '{}' is too short", name));
+  if (first > total || count > total - first) damaged(path, fmt::format("its '{}' is too short", name));
+  if (count >
+      std::filesystem::file_size(path) / sizeof(T))  // what it claims may be more than there is memory
+    damaged(path, fmt::format("its '{}' would be larger than the file", name));
   std::vector<T> values(count);
   if (count == 0) return values;
   const Hdf5Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose, "make a space");
@@ -155,6 +170,16 @@ std::vector<T> read_part(hid_t file, const char* name, hid_t type, const std::fi
 parallel::Bytes read_bytes(hid_t file, const char* name, const std::filesystem::path& path, hsize_t first = 0,
                            hsize_t count = H5S_ALL) {
   return read_part<std::byte>(file, name, H5T_NATIVE_UINT8, path, first, count);
+}
+
+/// f() with what a refusal of HDF5 means where a file is read.
+template <class F>
+void reading(const std::filesystem::path& path, F&& f) {
+  try {
+    f();
+  } catch (const EnvironmentError& e) {
+    damaged(path, e.what());
+  }
 }
 
 Hdf5Handle open_file(const std::filesystem::path& path) {
@@ -181,6 +206,9 @@ void write_block_file(const std::filesystem::path& path, const BlockFileHead& he
     if (world.rank() == 0) std::filesystem::remove(temporary, ignored);
   };
   try {
+    together(world, "write the checkpoint", [&] {
+      if (world.rank() == 0) look_for_room(temporary, head, part);
+    });
     together(world, "write the checkpoint", [&] { write_together(temporary, head, first, part, world); });
     together(world, "write the checkpoint", [&] {
       if (world.rank() == 0) sync_and_rename(temporary, path);
@@ -192,6 +220,10 @@ void write_block_file(const std::filesystem::path& path, const BlockFileHead& he
 }
 
 BlockFile::BlockFile(std::filesystem::path path) : path_(std::move(path)) {
+  reading(path_, [this] { read_head(); });
+}
+
+void BlockFile::read_head() {
   const QuietHdf5 quiet;
   const Hdf5Handle file = open_file(path_);
   if (read_bytes(file, "format", path_) != bytes_of(format_name)) damaged(path_, "it is of another version");
@@ -210,10 +242,13 @@ BlockFile::BlockFile(std::filesystem::path path) : path_(std::move(path)) {
 
 parallel::Bytes BlockFile::record(long block) const {
   const QuietHdf5 quiet;
-  const Hdf5Handle file = open_file(path_);
   const auto k = static_cast<std::size_t>(block);
-  parallel::Bytes bytes = read_bytes(file, "records", path_, static_cast<hsize_t>(offset_[k]),
-                                     static_cast<hsize_t>(offset_[k + 1] - offset_[k]));
+  parallel::Bytes bytes;
+  reading(path_, [&] {
+    const Hdf5Handle file = open_file(path_);
+    bytes = read_bytes(file, "records", path_, static_cast<hsize_t>(offset_[k]),
+                       static_cast<hsize_t>(offset_[k + 1] - offset_[k]));
+  });
   if (hash_of_bytes(bytes) != hash_[k])
     damaged(path_, fmt::format("the checksum of block {} does not fit: it was damaged", block));
   return bytes;

@@ -34,6 +34,8 @@ class BlockFile {
   parallel::Bytes record(long block) const;
 
  private:
+  void read_head();
+
   std::filesystem::path path_;
   BlockFileHead head_;
   std::vector<std::int64_t> offset_;

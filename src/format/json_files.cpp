@@ -6,6 +6,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -38,6 +40,13 @@ class FileDescriptor {
       if (done < 0) refuse("write", path_, errno);
       text.remove_prefix(static_cast<std::size_t>(done));
     }
+  }
+
+  void take_room(std::uintmax_t bytes) {
+    int error = EINTR;
+    while (error == EINTR) error = ::posix_fallocate(id_, 0, static_cast<off_t>(bytes));
+    // Some file systems cannot say.
+    if (error != 0 && error != EINVAL && error != EOPNOTSUPP) refuse("write", path_, error);
   }
 
   void sync() {
@@ -73,8 +82,24 @@ void rename_over(const std::filesystem::path& temporary, const std::filesystem::
 
 }  // namespace
 
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 std::filesystem::path temporary_name(const std::filesystem::path& path) {
   return folder_of(path) / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
+}
+
+void take_room(const std::filesystem::path& path, std::uintmax_t bytes) {
+  try {
+    FileDescriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
+    file.take_room(bytes);
+  } catch (...) {
+    ::unlink(path.c_str());
+    throw;
+  }
+  ::unlink(path.c_str());
 }
 
 void sync_and_rename(const std::filesystem::path& temporary, const std::filesystem::path& path) {

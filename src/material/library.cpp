@@ -202,7 +202,8 @@ std::optional<Node> table_of(const std::string& name, Search& search, const Plac
   const std::filesystem::path file = material_file(name, search.folders);
   if (file.empty()) {
     if (met)
-      search.out.error(place, "material '" + name + "' is its own base");
+      search.out.error(place, "material '" + name + "' is its own base",
+                       "name a material of the library; `recoil material list` lists all");
     else
       report_unknown(name, search, place);
     return std::nullopt;

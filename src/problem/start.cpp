@@ -11,7 +11,9 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
+#include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "levelset/transport.hpp"
 #include "problem/shape.hpp"
@@ -223,20 +225,21 @@ bool starts_finer(const config::Case& c, const std::vector<std::function<double(
 
 namespace {
 
+static_assert(config::MeshChoice::least_block >= widest_halo, "blocks reach only into those beside them");
+
 /// Makes the domain larger at open ends until it holds whole cells of the coarsest level.
 template <int Dim>
-void fit_levels(Grid<Dim>& g, int levels) {
+void fit_levels(Grid<Dim>& g, int levels, const std::vector<std::string>& axes) {
   const int widest = 1 << (levels - 1);
   for (int d = 0; d < Dim; ++d) {
     const int lacking = (widest - g.cells[d] % widest) % widest;
     if (lacking == 0) continue;
     const auto& edge = g.edge[static_cast<std::size_t>(d)];
     if (edge[0] != Edge::outflow && edge[1] != Edge::outflow)
-      throw InputError(
-          fmt::format("error: axis {} of the domain has {} of the finest cells, but its closed ends need "
-                      "whole cells of all "
-                      "{} levels\n   = help: a multiple of {} cells, such as {}, or fewer levels",
-                      d, g.cells[d], levels, widest, g.cells[d] + lacking));
+      throw InputError(fmt::format(
+          "error: the domain has {} of the finest cells along {}, but its closed ends need whole "
+          "cells of all {} levels\n   = help: a multiple of {} cells, such as {}, or fewer levels",
+          g.cells[d], axes[static_cast<std::size_t>(d)], levels, widest, g.cells[d] + lacking));
     g.cells[d] += lacking;
     if (edge[1] != Edge::outflow) g.origin[d] -= lacking * g.dx;
   }
@@ -249,6 +252,7 @@ Grid<Dim> make_grid(const config::Case& c) {
   Grid<Dim> g;
   g.dx = c.mesh.finest;
   g.axisymmetric = c.domain.geometry == config::Geometry::axisymmetric;
+  const std::vector<std::string> axes = config::axes_of(c.domain.geometry);
   for (int d = 0; d < Dim; ++d) {
     const auto e = static_cast<std::size_t>(d);
     for (std::size_t side = 0; side < 2; ++side) g.edge[e][side] = edge_of(c.domain.boundary[e][side]);
@@ -263,15 +267,15 @@ Grid<Dim> make_grid(const config::Case& c) {
     const bool both_closed = g.edge[e][0] != Edge::outflow && g.edge[e][1] != Edge::outflow;
     if (both_closed && std::abs(length - std::round(length)) > 1e-6)
       throw InputError(fmt::format(
-          "error: axis {} of the domain is {:.6g} cells long, but its closed ends need whole cells\n"
+          "error: the domain is {:.6g} cells long along {}, but its closed ends need whole cells\n"
           "   = help: mesh.finest = \"{:.6g} mm\" gives {} cells",
-          d, length, length * g.dx / std::round(length) * 1e3, std::round(length)));
+          length, axes[e], length * g.dx / std::round(length) * 1e3, std::round(length)));
   }
   if (c.mesh.levels > 1 && c.method.scheme != "conservative")
     throw InputError(
         "error: a mesh of several levels (mesh.levels) needs method.scheme = \"conservative\"\n"
         "   = help: the schemes of ghost fluids have cells of one size: remove mesh.levels");
-  fit_levels(g, c.mesh.levels);
+  fit_levels(g, c.mesh.levels, axes);
   g.block = choose_block<Dim>(g.cells, g.edge, c.mesh.block, c.mesh.levels);
   return g;
 }

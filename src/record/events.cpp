@@ -235,9 +235,10 @@ struct EventWatch::Parts {
     const double least = least_reversal * size(approach);
     if (!(before < -least) || !(after > least)) return;
     add(w, w.parted, "ricochet", w.place,
-        fmt::format("{}: {} m/s before, {} m/s after; {:.5g} m/s towards {}, then {:.5g} m/s away",
-                    names[body], components(was, w.velocity_made), components(is, w.velocity_parted), -before,
-                    names[side == 0 ? w.b : w.a], after));
+        fmt::format(
+            "{}: {} m/s before, {} m/s after; along the impulse {:.5g} m/s towards {}, then {:.5g} m/s away",
+            names[body], components(was, w.velocity_made), components(is, w.velocity_parted), -before,
+            names[side == 0 ? w.b : w.a], after));
   }
 };
 

@@ -183,34 +183,11 @@ void add_cell(UnstructuredGrid& grid, const Grid<Dim>& cells, const Index<Dim>& 
   add_box_cell(grid, Dim, lower, upper);
 }
 
-}  // namespace
-
-const std::vector<FieldVariable>& field_variables() {
-  static const std::vector<FieldVariable> all{
-      {"pressure", "pressure_GPa", "pressure [GPa]", 1, true},
-      {"velocity", "velocity_m_per_s", "velocity [m/s]", 3, false},
-      {"density", "density_kg_per_m3", "density [kg/m\u00b3]", 1, false},
-      {"plastic-strain", "plastic_strain", "plastic strain", 1, false},
-      {"temperature", "temperature_K", "temperature [K]", 1, false},
-      {"damage", "damage", "damage: 1 failed", 1, false},
-      {"void-fraction", "void_fraction", "void fraction", 1, false},
-      {"stress", "stress_GPa", "stress [GPa]", 6, true},
-      {"von-mises", "von_mises_GPa", "von Mises stress [GPa]", 1, false},
-      {"volume-fraction", "volume_fraction", "volume fraction", 1, false},
-      {"fragment", "fragment", "fragment: number in fragments.csv", 1, false},
-      {"level", "level", "level of the cells: 0 the finest", 1, false},
-      {"contact-state", "contact_state", "contact: 0 free, 1 touching, 2 slipping, 3 opened", 1, false},
-      {"gap", "gap_mm", "gap [mm]", 1, true},
-      {"contact-traction", "contact_traction_GPa", "contact traction [GPa]", 1, true}};
-  return all;
-}
-
+/// The grid of what pack_blocks() has packed.
 template <int Dim>
-UnstructuredGrid gather_fields(const State<Dim>& state, const parallel::World& world,
-                               const std::vector<FieldVariable>& variables, const Fragments<Dim>* fragments) {
-  const auto all = world.gather(pack_blocks(state, variables, have_touched(state, world), fragments));
+UnstructuredGrid unpack_grid(const State<Dim>& state, const std::vector<parallel::Bytes>& all,
+                             const std::vector<FieldVariable>& variables) {
   UnstructuredGrid grid;
-  if (world.rank() != 0) return grid;
   const std::size_t bodies = state.bodies.size();
   std::vector<std::vector<float>> columns(variables.size() + bodies);
   std::vector<std::int32_t> body, contact;
@@ -240,6 +217,41 @@ UnstructuredGrid gather_fields(const State<Dim>& state, const parallel::World& w
     grid.cell_arrays.push_back(
         {"level_set_" + state.bodies[m].name + "_m", 1, std::move(columns[variables.size() + m])});
   return grid;
+}
+
+}  // namespace
+
+const std::vector<FieldVariable>& field_variables() {
+  static const std::vector<FieldVariable> all{
+      {"pressure", "pressure_GPa", "pressure [GPa]", 1, true},
+      {"velocity", "velocity_m_per_s", "velocity [m/s]", 3, false},
+      {"density", "density_kg_per_m3", "density [kg/m\u00b3]", 1, false},
+      {"plastic-strain", "plastic_strain", "plastic strain", 1, false},
+      {"temperature", "temperature_K", "temperature [K]", 1, false},
+      {"damage", "damage", "damage: 1 failed", 1, false},
+      {"void-fraction", "void_fraction", "void fraction", 1, false},
+      {"stress", "stress_GPa", "stress [GPa]", 6, true},
+      {"von-mises", "von_mises_GPa", "von Mises stress [GPa]", 1, false},
+      {"volume-fraction", "volume_fraction", "volume fraction", 1, false},
+      {"fragment", "fragment", "fragment: number in fragments.csv", 1, false},
+      {"level", "level", "level of the cells: 0 the finest", 1, false},
+      {"contact-state", "contact_state", "contact: 0 free, 1 touching, 2 slipping, 3 opened", 1, false},
+      {"gap", "gap_mm", "gap [mm]", 1, true},
+      {"contact-traction", "contact_traction_GPa", "contact traction [GPa]", 1, true}};
+  return all;
+}
+
+template <int Dim>
+UnstructuredGrid gather_fields(const State<Dim>& state, const parallel::World& world,
+                               const std::vector<FieldVariable>& variables, const Fragments<Dim>* fragments) {
+  const auto all = world.gather(pack_blocks(state, variables, have_touched(state, world), fragments));
+  return world.rank() == 0 ? unpack_grid(state, all, variables) : UnstructuredGrid{};
+}
+
+template <int Dim>
+UnstructuredGrid own_fields(const State<Dim>& state, const std::vector<FieldVariable>& variables) {
+  const std::vector<std::uint32_t> touched(state.bodies.size(), 0U);
+  return unpack_grid(state, {pack_blocks<Dim>(state, variables, touched, nullptr)}, variables);
 }
 
 template <int Dim>
@@ -296,10 +308,11 @@ void FieldDump<Dim>::unpack(parallel::Unpacker& from, bool removes) {
   write_series(folder_ / (name_ + ".hdf.series"), series_);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                           \
-  template class FieldDump<Dim>;                                                          \
-  template UnstructuredGrid gather_fields<Dim>(const State<Dim>&, const parallel::World&, \
-                                               const std::vector<FieldVariable>&, const Fragments<Dim>*);
+#define RECOIL_INSTANTIATE(Dim)                                                                           \
+  template class FieldDump<Dim>;                                                                          \
+  template UnstructuredGrid gather_fields<Dim>(const State<Dim>&, const parallel::World&,                 \
+                                               const std::vector<FieldVariable>&, const Fragments<Dim>*); \
+  template UnstructuredGrid own_fields<Dim>(const State<Dim>&, const std::vector<FieldVariable>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

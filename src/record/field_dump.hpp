@@ -62,4 +62,9 @@ UnstructuredGrid gather_fields(const State<Dim>& state, const parallel::World& w
                                const std::vector<FieldVariable>& variables,
                                const Fragments<Dim>* fragments = nullptr);
 
+/// The same of the blocks of this process alone, for what is said of its failure; it knows of no surface that
+/// it has opened. Not collective.
+template <int Dim>
+UnstructuredGrid own_fields(const State<Dim>& state, const std::vector<FieldVariable>& variables);
+
 }  // namespace recoil

@@ -11,6 +11,7 @@
 #include "dynamics/primitives.hpp"
 #include "gauge/point_state.hpp"
 #include "parallel/archive.hpp"
+#include "state/places.hpp"
 
 namespace recoil {
 
@@ -33,8 +34,7 @@ double bulk_modulus(const Material& m) {
 template <int Dim>
 double solid_part(const Body<Dim>& body, int slot, std::size_t k) {
   const BodyBlock<Dim>& b = body.at(slot);
-  const double damage = b.contents[Components<Dim>::damage * b.volume.size() + k];
-  if (!(damage > 0 && damage >= failed_damage * b.contents[k] && b.volume[k] > 0)) return 1;
+  if (!(b.contents[k] > 0 && has_failed(b, k) && b.volume[k] > 0)) return 1;
   return 1 - point_state(body, contents_of(b, static_cast<int>(k)), b.volume[k]).void_fraction;
 }
 

@@ -137,7 +137,8 @@ void empty_and_fill(StepRun<Dim>& step) {
   apply_updates(step, StepPhase::moves);
   fit_voids(step);
   step.for_each_body(StepPhase::moves, fill, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    fill_inside(step.state(), body, slot, scratch);
+    State<Dim>& state = step.state();
+    fill_inside(state, body, slot, state.ledger[slot].edges[&body - state.bodies.data()], scratch);
   });
   apply_updates(step, StepPhase::moves);
 }

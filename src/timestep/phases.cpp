@@ -19,6 +19,7 @@
 #include "interface/walls.hpp"
 #include "levelset/band.hpp"
 #include "levelset/transport.hpp"
+#include "state/state_error.hpp"
 #include "timestep/rigid_bodies.hpp"
 
 namespace recoil {
@@ -53,10 +54,13 @@ template <int Dim>
   const Vec<Dim> x = state.grid(slot).centre(state.mesh.block(slot).cells.lo);
   std::string at;
   for (int d = 0; d < Dim; ++d) at += fmt::format("{}{:.4g}", d > 0 ? ", " : "", x[d] * 1e3);
-  throw PhysicsError(fmt::format(
-      "a state of {} is beyond its equation of state beside cells of another size, in the block at "
-      "({}) mm, {:.6g} us; a box of finest cells there ([refine.NAME]) or a lower mesh.bend helps",
-      body.name, at, state.time * 1e6));
+  const std::vector<double> place{x.c.begin(), x.c.end()};
+  throw StateError(
+      body.name, place,
+      fmt::format(
+          "a state of {} is beyond its equation of state beside cells of another size, in the block at "
+          "({}) mm, {:.6g} us; a box of finest cells there ([refine.NAME]) or a lower mesh.bend helps",
+          body.name, at, state.time * 1e6));
 }
 
 template <int Dim>

@@ -146,6 +146,22 @@ class Check(Program):
         self.assertEqual(predicted["opens_by"], "flyer-release")
         self.assertGreater(report["cost"]["steps"], 100)
 
+    def test_what_it_predicts_is_what_runs_find(self):
+        """The opening within 3 %, the peak of the rear face within 5 % (docs/testing.md has more of them)."""
+        case = self.case(('"copper/seed"', '"copper/ofhc-johnson-cook"'), ('x = ["0 mm", "15 mm"]', 'x = ["0 mm", "5 mm"]'),
+                         ('at   = { x = "15 mm" }', 'at   = { x = "5 mm" }'), ('end = "6 us"', 'end = "2 us"'))
+        for speed in ("300 m/s", "500 m/s"):
+            words = ["--set", f"body.flyer.velocity.x={speed}"]
+            predicted = json.loads(recoil("check", case, "--json", *words).stdout)[0]["predicted"][0]
+            self.assertFalse(predicted["rear"]["plateau_is_bound"])
+            self.expect(recoil("run", case, "-o", self.folder / speed, "-q", *words, "--set", "output.report=false"), 6)
+            with (self.folder / speed / "quantities.csv").open() as file:
+                found = {row["quantity"]: row["value"] for row in csv.DictReader(file)}
+            with (self.folder / speed / "gauges" / "rear.csv").open() as file:
+                peak = max(float(row["velocity [m/s]"] or 0) for row in csv.DictReader(file))
+            self.assertAlmostEqual(1e6 * predicted["opens"] / float(found["contact.flyer-target.opens"]), 1, delta=0.03)
+            self.assertAlmostEqual(predicted["rear"]["plateau_velocity"] / peak, 1, delta=0.05)
+
     def test_all_mistakes_in_one_pass_with_place_and_cure(self):
         file = self.case(("velocity =", "velocty ="), ('finest = "0.05 mm"', 'finest = "2 us"'))
         result = recoil("check", file)
@@ -223,8 +239,20 @@ class Run(Program):
         self.assertEqual((summary["verdict"], summary["exit"]), ("stopped", 3))
         crash = (self.folder / "out" / "crash" / "process_0.txt").read_text()
         self.assertIn("case.resolved.toml", crash)
+        self.assertIn("\nplace (", crash)
+        self.assertIn("states of flyer around", crash)
+        self.assertEqual((self.folder / "out" / "crash" / "process_0.png").read_bytes()[1:4], b"PNG")
         status = json.loads((self.folder / "out" / "status.json").read_text())
         self.assertEqual(status["state"], "failed")
+
+    def test_the_last_steps_before_a_failure_can_be_repeated(self):
+        case = self.case(('"copper/seed"', '"aluminium/6061-t6"'), ("450 m/s", "30 km/s"), ('end = "6 us"', 'end = "2.6 us"'))
+        words = ["--set", "mesh.finest=0.1mm", "--set", "output.checkpoint.every=1ns", "-q"]
+        failed = recoil("run", case, "-o", self.folder / "out", *words)
+        crash = (self.folder / "out" / "crash" / "process_0.txt").read_text()
+        command = [line.split() for line in crash.splitlines() if line.startswith("  recoil resume")][0]
+        again = recoil(*command[1:])
+        self.expect(again, 3, failed.stderr.splitlines()[0])
 
     def test_a_failed_expectation_comes_before_doubts(self):
         case = self.case()

@@ -47,6 +47,18 @@ class Environment(Program):
         subprocess.run(["mount", "-o", "remount,size=40m", str(disk)], check=True)
         self.expect(recoil("resume", disk / "run", "-j", "1"), 0, "finished at 6 us")
 
+    def test_a_full_disk_for_several_processes(self):
+        disk = self.disk("size=300k")
+        case = self.case(('fields = { every = "0.5 us" }', 'checkpoint = { every = "0.5 us", keep = 9 }'))
+        full = recoil("run", case, "-o", disk / "run", *COARSE, "--plain", "-n", "2", "-j", "1", "--set", "output.report=false")
+        self.expect(full, 4, "No space left on device")
+        self.assertNotIn("HDF5", full.stdout + full.stderr)
+        self.assertNotIn("signal", full.stdout + full.stderr)
+        saved = sorted((disk / "run" / "checkpoints").glob("*.h5"))
+        self.assertGreater(len(saved), 0)
+        subprocess.run(["mount", "-o", "remount,size=40m", str(disk)], check=True)
+        self.expect(recoil("resume", disk / "run", "-n", "2", "-j", "1"), 0, "finished at 6 us")
+
     def test_a_disk_with_no_room_at_all(self):
         disk = self.disk("size=64k")
         result = recoil("run", self.case(), "-o", disk / "run", "-j", "1")

@@ -118,6 +118,12 @@ class Resume(unittest.TestCase):
             result = recoil("run", self.case, "-o", run, "--plain", "--force", *words)
         self.expect(result, self.exit)
 
+    def wait_for_the_end(self, run):
+        for _ in range(100):  # the processes of an mpirun that was killed follow it a little later
+            if not run.exists() or "running" not in recoil("status", run).stdout:
+                break
+            time.sleep(0.2)
+
     def kill_and_go_on(self, name, words, moment):
         run = self.folder / name
         process = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", *words],
@@ -125,10 +131,7 @@ class Resume(unittest.TestCase):
         time.sleep(moment)
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()
-        for _ in range(100):  # the processes of an mpirun that was killed follow it a little later
-            if not run.exists() or "running" not in recoil("status", run).stdout:
-                break
-            time.sleep(0.2)
+        self.wait_for_the_end(run)
         if not (run / "summary.json").exists():
             self.finish(run, *words)
         self.same(run)
@@ -142,6 +145,26 @@ class Resume(unittest.TestCase):
         chance = random.Random(7)
         for k in range(max(1, KILLS // 3)):
             self.kill_and_go_on(f"ranks_{k}", ["-n", "2", "-j", "1"], chance.uniform(0.4, 1.2) * self.duration)
+
+    def kill_while_it_writes(self, name, *words):
+        """A run killed as soon as it has begun to write a checkpoint, then finished."""
+        run = self.folder / name
+        self.expect(recoil("run", self.case, "-o", run, "--plain", "--wall", "0.7s", *words), 75)
+        process = subprocess.Popen([PROGRAM, "resume", str(run), "--plain", *words],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        while process.poll() is None and not list((run / "checkpoints").glob(".*.tmp")):
+            pass
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        self.wait_for_the_end(run)
+        self.finish(run, *words)
+        self.assertEqual(list((run / "checkpoints").glob(".*.tmp")), [])
+        self.same(run)
+
+    def test_killed_between_two_writes_of_one_checkpoint(self):
+        self.kill_while_it_writes("cut", "-j", "1")
+        self.kill_while_it_writes("cut_ranks", "-n", "2", "-j", "1")
 
     def test_other_ranks_and_threads_go_on_to_the_same_bits(self):
         run = self.folder / "other"
@@ -187,6 +210,7 @@ class Resume(unittest.TestCase):
             self.expect(recoil("resume", run, "--to", "2us"), 2, text, "--from")
         self.expect(recoil("resume", run, "--to", "2us", "--from", files[-2].name), 0)
         self.expect(recoil("resume", self.folder / "nowhere"), 2, "no checkpoint")
+        self.expect(recoil("resume", run, "--to", "1us"), 2, "the run would end at 1 us", "--to a later")
 
     def test_a_folder_belongs_to_one_run(self):
         run = self.folder / "locked"

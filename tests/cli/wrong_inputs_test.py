@@ -109,6 +109,21 @@ ERRORS = [
     ([('material = "aluminium/6061-t6"', "rigid = true"),
       ('velocity = { x = "450 m/s" }', 'velocity-history = [["1 us", { x = "1 m/s" }], ["1 us", { x = "2 m/s" }]]')],
      "the times of 'velocity-history' do not grow", 13, 49, "nanosecond"),
+    ([after_end('[output]\ncheckpoint = { every = "10 us" }')], "'every' = 10 us lies beyond the end", 11, 24, "gives 100"),
+    ([after_end('[output]\ncheckpoint = { keep = 0 }')], "'keep' must be at least 1", 11, 23, "newest"),
+    ([('"0.1 mm"', '"0.1 mm"\nblock = 4')], "blocks of 4 cells are too small", 8, 9, "block = 16"),
+    ([('"0.1 mm"', '"0.1 mm"\nlevels = 2.5')], "'levels' needs a whole number", 8, 10, "levels = 4"),
+    ([('"0.1 mm"', '"0.1 mm"\nlevels = 3\n[refine.far]\nx = ["30 mm", "40 mm"]')], "nothing of [refine.far] lies in the domain",
+     9, 9, "into the domain"),
+    ([('"0.1 mm"', '"0.1 mm"\nlevels = 3\n[refine]\nx = ["0 mm", "1 mm"]')], "'x' must be a refine", 10, 1, "[refine.NAME]"),
+    ([('["-4 mm", "18 mm"]', '["-4 mm", "18.1 mm"]\nboundary = { x = "symmetry" }'), ('"0.1 mm"', '"0.1 mm"\nlevels = 3')],
+     "221 of the finest cells along x, but its closed ends need whole cells of all 3 levels", 9, 10, "such as 224"),
+    ([USES_MINE, '\n[material.mine]\nbase = "mine"\n'], "material 'mine' is its own base", 23, 8, "recoil material list"),
+    ([USES_MINE, MINE % ("damage", 'kind = "tensil"')], "'tensil' is not a valid 'kind'", 25, 8, "did you mean 'tensile'?"),
+    ([USES_MINE, MINE % ("thermal", 'heat-capacity = "383 J/kg"')], "unknown key 'heat-capacity'", 25, 1, "specific-heat"),
+    # A material of two bodies: its mistake once.
+    ([USES_MINE, ('"aluminium/6061-t6"', '"mine"'), MINE % ("strength", 'a = "90 Gpa"')], "unknown unit 'Gpa'", 25, 5,
+     "did you mean 'GPa'?"),
 ]
 
 # The same of warnings, which leave the case fit to run. A place of None: not checked.
@@ -120,6 +135,9 @@ WARNINGS = [
     (FLYER, [USES_MINE, MINE % ("eos", 'density = "29000 kg/m3"')], "that of no solid", 25, "23000"),
     (FLYER, [('"copper/ofhc-johnson-cook"', '"copper/seed"')], "material 'copper/seed' is in doubt", 15, "slip of copying"),
     (FLYER, [('title = "Flyer"', 'cite = ["jonson1983"]')], "the source 'jonson1983' is not in", 2, "did you mean 'johnson1983'?"),
+    (FLYER, [('"0.1 mm"', '"0.1 mm"\nbend = 0.2')], "'mesh.bend' has no effect", 8, "levels = 3"),
+    (FLYER, [('[time]', '[refine.near]\nx = ["-1 mm", "1 mm"]\n[time]')], "'refine.near' has no effect", 8, "levels = 3"),
+    (FLYER, [MINE % ("strength", 'a = "90 MPa"')], "no body is of the material 'mine'", 22, 'material = "mine"'),
     (PLANE, [('{ x = "-2.5 mm", y = "0 mm" }', '{ x = "-2.5 mm", y = "9 mm" }'), ('"8 mm"] }', '"9.9 mm"] }')],
      "'ball' is cut off at the high end of y", 12, "reach"),
     (PLANE, [('{ kind = "disc", radius = "2 mm", centre = { x = "-2.5 mm", y = "0 mm" } }',
@@ -256,6 +274,20 @@ class WrongInputs(unittest.TestCase):
         code, said = self.recoil("check", self.file)
         self.assertEqual(code, 0, said)
         self.assertIn("to at most", said)
+
+    def test_a_release_that_nearly_overtakes_makes_a_bound(self):
+        self.write(FLYER, [('"450 m/s"', '"200 m/s"')])  # the run's peak is 30 % below the plateau
+        code, said = self.recoil("check", self.file)
+        self.assertEqual(code, 0, said)
+        self.assertIn("to at most 118.4 m/s", said)
+
+    def test_meshes_of_a_study_are_checked_before_the_first_run(self):
+        for meshes, message in (("0.2mm,0mm", "must be"), ("0.2mm,0.2mm", "--mesh names 0.2mm twice"), ("0.2mm,5mm", "thinner than a cell")):
+            self.write(FLYER)
+            code, said = self.recoil("study", self.file, "--mesh", meshes, "-o", self.folder / "out")
+            self.assertEqual(code, 2, said)
+            self.assertIn(message, said)
+            self.assert_nothing_written()
 
     def test_doubts_are_shown_with_the_material(self):
         code, said = self.recoil("material", "show", "copper/seed")

@@ -123,6 +123,8 @@ void check_logic(LoadedCase& loaded) {
   const Case& c = loaded.contents;
   check_size(loaded);
   if (loaded.too_large) return;  // all that follows looks at its cells
+  if (loaded.found.has_errors()) return;
+  check_levels(loaded);
   check_output(loaded);
   find_overlaps(c, loaded.found);
   check_places(loaded);

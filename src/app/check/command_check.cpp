@@ -81,7 +81,8 @@ void print_report(const Report& r) {
   const config::Case& c = r.loaded.contents;
   if (!r.loaded.found.list().empty()) fmt::print(stderr, "{}", r.loaded.found.text());
   if (!r.good()) {
-    const int errors = r.loaded.found.error_count();
+    const auto errors = std::ranges::count(r.loaded.found.list(), config::Diagnostic::Severity::error,
+                                           &config::Diagnostic::severity);
     fmt::print("{}: {} error{}; it cannot be run\n", r.file, errors, errors == 1 ? "" : "s");
     return;
   }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -31,9 +32,28 @@ const Node* written_constant(const LoadedCase& loaded, std::string name, const s
   return nullptr;
 }
 
+/// A material of the case that no body uses, nor another one as its base, is a slip of the pen.
+void check_unused(LoadedCase& loaded) {
+  const Node* all = loaded.document.find("material");
+  if (all == nullptr || !all->is_table()) return;
+  for (const Node& own : all->children) {
+    const auto& bodies = loaded.contents.bodies;
+    const bool used = std::ranges::any_of(bodies, [&](const auto& b) { return b.material == own.key; }) ||
+                      std::ranges::any_of(all->children, [&](const Node& other) {
+                        const Node* base = other.is_table() ? other.find("base") : nullptr;
+                        return base != nullptr && base->is_text() && base->text == own.key;
+                      });
+    if (!used)
+      loaded.found.warning(
+          own.key_place, fmt::format("no body is of the material '{}'", own.key),
+          fmt::format("write material = \"{}\" in a body, or take [material.{}] out", own.key, own.key));
+  }
+}
+
 }  // namespace
 
 void check_materials(LoadedCase& loaded) {
+  check_unused(loaded);
   std::set<std::string> seen;
   for (std::size_t m = 0; m < loaded.materials.size(); ++m) {
     const config::Body& body = loaded.contents.bodies[m];

@@ -60,6 +60,7 @@ void check_intervals(LoadedCase& loaded) {
   const config::Case& c = loaded.contents;
   check_interval(loaded, "output.fields.every", c.output.fields.every);
   check_interval(loaded, "output.history.every", c.output.history.every);
+  check_interval(loaded, "output.checkpoint.every", c.output.checkpoint.every);
   for (const config::Gauge& g : c.gauges)
     std::visit(
         [&](const auto& kind) {

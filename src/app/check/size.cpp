@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "app/check/checks.hpp"
 #include "app/check/estimate.hpp"
 #include "app/launch.hpp"
 #include "app/machine.hpp"
 #include "config/geometry.hpp"
+#include "core/error.hpp"
 
 namespace recoil::app {
 
@@ -31,6 +33,17 @@ double cells_of(const config::Case& c, double& longest) {
   return cells;
 }
 
+/// What the making of the mesh refuses, at the key that decides it.
+void report(LoadedCase& loaded, std::string text) {
+  const std::string_view begins = "error: ", helps = "\n   = help: ";
+  if (text.starts_with(begins)) text.erase(0, begins.size());
+  const std::size_t help = std::min(text.find(helps), text.size());
+  const bool levels = text.find("levels") != std::string::npos;
+  const config::Place mesh = place_of(loaded, "mesh.finest", {loaded.contents.file});
+  loaded.found.error(levels ? place_of(loaded, "mesh.levels", mesh) : mesh, text.substr(0, help),
+                     help < text.size() ? text.substr(help + helps.size()) : "");
+}
+
 }  // namespace
 
 void check_size(LoadedCase& loaded) {
@@ -40,8 +53,12 @@ void check_size(LoadedCase& loaded) {
   double longest = 0;
   const double cells = cells_of(c, longest);
   // The number of steps does not matter here.
-  const double need =
-      longest > most_along_axis ? cells * bytes_of_cell(dim) : estimate(c, loaded.materials, 1).memory;
+  double need = cells * bytes_of_cell(dim);
+  try {
+    if (longest <= most_along_axis) need = estimate(c, loaded.materials, 1).memory;
+  } catch (const InputError& e) {  // cells that do not fit into the domain
+    return report(loaded, e.what());
+  }
   if (longest <= most_along_axis && need <= room) return;
   const double over = std::isfinite(room) ? need / room : 0;
   const double coarser = std::max(std::pow(over, 1.0 / dim), longest / most_along_axis) * 1.05;

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -18,6 +16,7 @@
 #include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "format/csv.hpp"
+#include "format/json_files.hpp"
 #include "format/packed.hpp"
 
 namespace recoil::app {
@@ -25,12 +24,6 @@ namespace recoil::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// The text of a file; nothing where there is none.
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The contents of a JSON file; null where there is none, or where it is torn.
 Json json_of(const fs::path& file) {
@@ -123,8 +116,11 @@ std::string predicted(const LoadedCase& loaded) {
 
 Json crash_json(const fs::path& folder) {
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder, none)) return text_of(entry.path());
-  return nullptr;
+  std::vector<fs::path> texts;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (entry.path().extension() == ".txt") texts.push_back(entry.path());
+  if (texts.empty()) return nullptr;
+  return text_of(*std::ranges::min_element(texts));
 }
 
 }  // namespace

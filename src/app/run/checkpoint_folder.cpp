@@ -47,7 +47,8 @@ std::string to_json(const CheckpointText& text) {
   const nlohmann::json j{{"version", text.version},
                          {"case", text.case_file},
                          {"overrides", text.overrides},
-                         {"keys", text.keys}};
+                         {"keys", text.keys},
+                         {"time", text.time}};
   return j.dump(1);
 }
 
@@ -56,7 +57,7 @@ CheckpointText checkpoint_text(const std::string& json) {
     const auto j = nlohmann::json::parse(json);
     return {j.at("version").get<std::string>(), j.at("case").get<std::string>(),
             j.at("overrides").get<std::vector<std::string>>(),
-            j.at("keys").get<std::map<std::string, std::string>>()};
+            j.at("keys").get<std::map<std::string, std::string>>(), j.at("time").get<double>()};
   } catch (const nlohmann::json::exception&) {
     throw InputError("error: the checkpoint does not say of which case it is: it is of another version");
   }
@@ -80,6 +81,10 @@ void remove_old_checkpoints(const fs::path& run, int keep) {
   const std::vector<fs::path> all = checkpoints_of(run);
   std::error_code ignored;
   for (std::size_t k = 0; k + static_cast<std::size_t>(keep) < all.size(); ++k) fs::remove(all[k], ignored);
+  std::vector<fs::path> torn;
+  for (const auto& entry : fs::directory_iterator(folder_of(run), ignored))
+    if (entry.path().extension() == ".tmp") torn.push_back(entry.path());
+  for (const fs::path& file : torn) fs::remove(file, ignored);
 }
 
 std::vector<std::string> changed_keys(const CheckpointText& then, const CheckpointText& now) {

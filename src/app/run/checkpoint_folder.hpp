@@ -17,6 +17,7 @@ struct CheckpointText {
   std::string case_file;                    // absolute, as it was given
   std::vector<std::string> overrides;       // of the command line
   std::map<std::string, std::string> keys;  // of the case, with all defaults: "mesh.finest" -> "..."
+  double time = 0;                          // of the state [s]
 };
 
 CheckpointText describe(const LoadedCase& loaded, const std::vector<std::string>& overrides);
@@ -28,7 +29,7 @@ CheckpointText checkpoint_text(const std::string& json);
 std::filesystem::path checkpoint_file(const std::filesystem::path& run, long step);
 /// Those that a run has left, the oldest first.
 std::vector<std::filesystem::path> checkpoints_of(const std::filesystem::path& run);
-/// Removes all but the newest `keep`.
+/// Removes all but the newest `keep`, and what a run has left that was killed while it wrote one.
 void remove_old_checkpoints(const std::filesystem::path& run, int keep);
 
 /// The keys of a case that differ from those that a checkpoint was made with although a run cannot go on with

@@ -231,6 +231,11 @@ int resume(const ResumeOptions& options) {
                     "and expectations may "
                     "change; for the rest start a new run",
                     fmt::join(changed, ", ")));
+  if (!(then.time < loaded.contents.time.end))
+    throw InputError(fmt::format(
+        "error: the checkpoint is at {:.6g} us, and the run would end at {:.6g} us\n   = help: --to a later "
+        "time, or --from an earlier checkpoint",
+        then.time * 1e6, loaded.contents.time.end * 1e6));
   return start(options, loaded, simulation, false);
 }
 

@@ -13,6 +13,7 @@
 #include "app/check/estimate.hpp"
 #include "app/command_line.hpp"
 #include "app/run/checkpoint_folder.hpp"
+#include "app/run/crash.hpp"
 #include "app/run/run_quantities.hpp"
 #include "app/run/stop_request.hpp"
 #include "app/run/verdict.hpp"
@@ -21,7 +22,9 @@
 #include "format/json_files.hpp"
 #include "problem/start.hpp"
 #include "record/checkpoint.hpp"
+#include "record/field_dump.hpp"
 #include "record/recorder.hpp"
+#include "state/state_error.hpp"
 #include "timestep/schemes.hpp"
 
 namespace recoil::app {
@@ -34,26 +37,6 @@ double cells_with_matter(const config::Case& c) {
   const std::vector<double> cells = cells_of_bodies(c);
   for (std::size_t m = 0; m < cells.size(); ++m) n += c.bodies[m].rigid ? 0 : cells[m];
   return n;
-}
-
-/// Writes what is known about a failure. @returns the folder.
-template <int Dim>
-std::filesystem::path write_crash(const SimulationOptions& options, const State<Dim>& state, double dt,
-                                  int rank, const std::string& what) {
-  const std::filesystem::path folder = options.folder / "crash";
-  std::filesystem::create_directories(folder);
-  std::string text =
-      fmt::format("{}\ntime {:.9g} us, step {}, last dt {:.6g} ns, process {}\nrecoil {}\n", what,
-                  state.time * 1e6, state.step, dt * 1e9, rank, build_info::full_version);
-  text += "counted so far\n";
-  Counters sum;
-  for (const BlockLedger<Dim>& ledger : state.ledger) sum += ledger.counters;
-  for (const auto& [name, count] : sum.list())
-    if (*count != 0) text += fmt::format("  {} {}\n", name, *count);
-  text += fmt::format("to repeat\n  recoil run {} -o NEW_FOLDER\n",
-                      (options.folder / "case.resolved.toml").string());
-  write_atomically(folder / fmt::format("process_{}.txt", rank), text);
-  return folder;
 }
 
 void tell_news(Reporter& reporter, const std::vector<Event>& news) {
@@ -161,31 +144,48 @@ void Simulation<Dim>::advance() {
     dt_ = scheme_.advance(state_, stepping, case_.time.end, engine_);
     recorder_->after_step(state_, dt_);
   } catch (const PhysicsError& e) {
-    RunFacts failed = facts();
-    failed.exit = exit_numerical_failure;
-    std::string what = e.what();
-    if (recorder_->stopped()) {
-      failed.cpu_s = processor_seconds(world_, worked_);
-      const Summary summary = recorder_->finish(state_, failed);
-      for (const Reason& r : summary.verdict.reasons) what += "\n   " + r.text;
-      if (world_.rank() == 0) tell_verdict(reporter_, summary);
-    } else {
-      recorder_->abandon(state_, failed, e.what());
-      reporter_.insist("verdict: stopped");
-    }
-    const auto folder = write_crash(options_, state_, dt_, world_.rank(), what);
-    throw PhysicsError(fmt::format("{}\n   = help: what is known is in {}", e.what(), folder.string()));
+    fail(e);
   }
   tell_events();
   reporter_.progress({state_.time, case_.time.end, dt_, state_.step, cells_});
 }
 
 template <int Dim>
+void Simulation<Dim>::fail(const PhysicsError& e) {
+  RunFacts failed = facts();
+  failed.exit = exit_numerical_failure;
+  Failure failure{e.what(), "", {}, dt_};
+  const bool together = recorder_->stopped();  // all processes have stopped
+  if (together) {
+    failed.cpu_s = processor_seconds(world_, worked_);
+    const Summary summary = recorder_->finish(state_, failed);
+    for (const Reason& r : summary.verdict.reasons) {
+      failure.text += "\n   " + r.text;
+      if (failure.place.empty()) failure.body = r.body, failure.place = r.place;
+    }
+    if (world_.rank() == 0) tell_verdict(reporter_, summary);
+  } else {
+    recorder_->abandon(state_, failed, e.what());
+    reporter_.insist("verdict: stopped");
+    if (const auto* state_error = dynamic_cast<const StateError*>(&e))
+      failure.body = state_error->body, failure.place = state_error->place;
+  }
+  const UnstructuredGrid all =
+      together ? gather_fields(state_, world_, field_variables()) : UnstructuredGrid{};
+  const auto fields = [&] { return together ? all : own_fields(state_, field_variables()); };
+  if (!together || world_.rank() == 0)
+    write_crash(options_.folder, case_, state_, failure, fields, world_.rank());
+  throw PhysicsError(
+      fmt::format("{}\n   = help: what is known is in {}", e.what(), (options_.folder / "crash").string()));
+}
+
+template <int Dim>
 void Simulation<Dim>::save() {
   const auto file = checkpoint_file(options_.folder, state_.step);
   if (world_.rank() == 0) std::filesystem::create_directories(file.parent_path());
-  write_checkpoint(file, to_json(describe(loaded_, options_.overrides)), state_, engine_.averaged, *recorder_,
-                   world_);
+  CheckpointText text = describe(loaded_, options_.overrides);
+  text.time = state_.time;
+  write_checkpoint(file, to_json(text), state_, engine_.averaged, *recorder_, world_);
   if (world_.rank() == 0) remove_old_checkpoints(options_.folder, case_.output.checkpoint.keep);
   checkpoint_due_.done(state_.time);
   saved_at_ = wall();

@@ -10,6 +10,7 @@
 #include "app/load_case.hpp"
 #include "app/run/checkpoint_folder.hpp"
 #include "app/run/reporter.hpp"
+#include "core/error.hpp"
 #include "gauge/due.hpp"
 #include "parallel/team.hpp"
 #include "parallel/world.hpp"
@@ -53,6 +54,8 @@ class Simulation {
   void stop(const std::string& why);
 
  private:
+  /// Writes what is known of a failure, and passes it on.
+  [[noreturn]] void fail(const PhysicsError& error);
   double wall() const;
   RunFacts facts() const;
   void tell_events();

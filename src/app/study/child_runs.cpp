@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -19,17 +17,13 @@
 #include "app/run/run_quantities.hpp"
 #include "config/read_case.hpp"
 #include "core/error.hpp"
+#include "format/json_files.hpp"
 
 namespace recoil::app {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// Exit code and verdict of a finished run.
 ChildResult told_by(const fs::path& summary) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -93,14 +94,37 @@ int run_on(const Mesh& mesh, const StudyOptions& o, const fs::path& folder) {
   return code;
 }
 
+/// The values of an option, each once. @throws InputError.
+void check_values(const std::vector<std::string>& texts, const char* unit, const char* option) {
+  std::vector<double> values;
+  for (const std::string& text : texts) {
+    const double value = quantity(text, unit, option);
+    if (std::ranges::find(values, value) != values.end())
+      throw InputError(fmt::format("{} names {} twice\n   = help: take one of them out", option, text));
+    values.push_back(value);
+  }
+}
+
+/// The case as it is read on a mesh. @throws InputError, EnvironmentError where it cannot be run on it.
+void check_mesh(const Mesh& mesh, const StudyOptions& o) {
+  std::vector<std::string> changes{"mesh.finest=" + mesh.size};
+  if (!mesh.offset.empty()) changes.push_back("mesh.offset=" + mesh.offset);
+  changes.insert(changes.end(), o.overrides.begin(), o.overrides.end());
+  LoadedCase loaded = load_case(o.file, changes);
+  if (!loaded.found.has_errors()) check_logic(loaded);
+  if (loaded.too_large) throw EnvironmentError(loaded.found.text());
+  loaded.found.throw_if_errors();
+}
+
 /// All mistakes before the first run.
 std::vector<Mesh> meshes_of(const StudyOptions& o) {
   std::vector<Mesh> meshes;
-  for (const std::string& s : o.sizes) quantity(s, "m", "--mesh");
-  for (const std::string& s : o.offsets) quantity(s, "1", "--offset");
+  check_values(o.sizes, "m", "--mesh");
+  check_values(o.offsets, "1", "--offset");
   for (const std::string& size : o.sizes)
     for (const std::string& offset : o.offsets.empty() ? std::vector<std::string>{""} : o.offsets)
       meshes.push_back({size, offset});
+  for (const Mesh& mesh : meshes) check_mesh(mesh, o);
   return meshes;
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "config/declare/extents.hpp"
 #include "config/declare/part.hpp"
 
 namespace recoil::config {
@@ -73,13 +74,7 @@ Entries<Boundaries> Boundaries::keys() {
 }
 
 Entries<Domain> Domain::keys() {
-  const auto extent = [](const char* axis, const char* doc) {
-    return Entry<Domain>{.name = axis,
-                         .member = Extents<Domain>{&Domain::lo, &Domain::hi},
-                         .unit = "m",
-                         .doc = doc,
-                         .example = R"(["0 mm", "10 mm"])"};
-  };
+  const auto extent = extent_along<Domain>;
   return {{.name = "geometry",
            .member = choice_of<&Domain::geometry>(),
            .required = true,

@@ -4,19 +4,14 @@
 
 #include <cstddef>
 
+#include "config/declare/extents.hpp"
 #include "config/declare/read_struct.hpp"
 #include "config/declare/reading.hpp"
 
 namespace recoil::config {
 
 Entries<Region> Region::keys() {
-  const auto extent = [](const char* axis, const char* doc) {
-    return Entry<Region>{.name = axis,
-                         .member = Extents<Region>{&Region::lo, &Region::hi},
-                         .unit = "m",
-                         .doc = doc,
-                         .example = R"(["0 mm", "10 mm"])"};
-  };
+  const auto extent = extent_along<Region>;
   using enum Geometry;
   std::vector<Entry<Region>> all{extent("x", "from, to"), extent("y", "from, to"), extent("r", "from, to"),
                                  extent("z", "from, to")};
@@ -38,6 +33,12 @@ void read_regions(const Node& table, std::vector<Region>& regions, CaseReading& 
 
 void MeshChoice::check(const TableReading& reading) const {
   const CaseReading& in = reading.in;
+  if (reading.good("block") && block != 0 && block < least_block)
+    reading.wrong("block",
+                  fmt::format("blocks of {} cells are too small: at least {} are needed, since each block "
+                              "reads so far into those beside it",
+                              block, least_block),
+                  "leave 'block' out, or write block = 16");
   if (!reading.good("finest")) return;
   for (std::size_t d = 0; d < in.axes.size(); ++d) {
     const double extent = in.hi[d] - in.lo[d];

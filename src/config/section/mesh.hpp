@@ -21,6 +21,7 @@ struct MeshChoice {
   double finest = 0;  // m, cell size
   double offset = 0;  // the mesh is shifted by this fraction of a cell
   int block = 0;      // cells of a block along each axis; 0: chosen by the mesh
+  static constexpr int least_block = 9;
   int levels = 1;     // cells of dx, 2 dx, 4 dx ...
   double bend = 0.1;  // of the velocity over three cells, in parts of the yield velocity
   int every = 4;      // steps
@@ -45,7 +46,7 @@ struct MeshChoice {
          .member = &MeshChoice::block,
          .least = 0,
          .most = 256,
-         .doc = "cells of a block along each axis; 0: chosen by the mesh",
+         .doc = "cells of a block along each axis, 9 or more; 0: chosen by the mesh",
          .example = "16"},
         {.name = "levels",
          .member = &MeshChoice::levels,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "config/declare/entry.hpp"
+#include "config/declare/extents.hpp"
 #include "config/declare/reading.hpp"
 #include "config/shape/bounds.hpp"
 #include "config/shape/slabs.hpp"
@@ -25,13 +25,7 @@ struct Box {
     return {{"rectangle", "Another name of box in the plane.", {Geometry::planar, Geometry::axisymmetric}}};
   }
   static Entries<Box> keys() {
-    const auto side = [](const char* axis, const char* text) {
-      return Entry<Box>{.name = axis,
-                        .member = Extents<Box>{&Box::lo, &Box::hi},
-                        .unit = "m",
-                        .doc = text,
-                        .example = R"(["0 mm", "10 mm"])"};
-    };
+    const auto side = extent_along<Box>;
     return {side("x", "extent along x"),
             side("y", "extent along y"),
             side("r", "extent along the radius (axisymmetric)"),

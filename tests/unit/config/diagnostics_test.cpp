@@ -45,6 +45,17 @@ TEST(Diagnostics, ReachesNoFurtherThanTheText) {
   EXPECT_NE(d.text().find("error: nowhere\n"), std::string::npos);
 }
 
+TEST(Diagnostics, TheSameMistakeIsListedOnce) {
+  Diagnostics d;
+  for (int times = 0; times < 2; ++times) {
+    d.error({"a", 3, 1, 1}, "wrong");
+    d.warning({"a", 3, 1, 1}, "wrong");
+  }
+  d.error({"a", 4, 1, 1}, "wrong");
+  EXPECT_EQ(d.list().size(), 3U);
+  EXPECT_EQ(d.error_count(), 3);
+}
+
 TEST(Diagnostics, WarningsAreNoErrors) {
   Diagnostics d;
   d.warning({"a", 1, 1, 1}, "unlikely");

@@ -213,7 +213,8 @@ TYPED_TEST(Moves, FullCellsPassOnTheirExcess) {
   auto state = this->slab(7.4);
   const auto over = TestFixture::cell(6, 9), outwards = TestFixture::cell(7, 9);
   this->put(state, over, 1.02 * this->whole(), this->one);
-  this->run(state, [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, scratch); });
+  this->run(state,
+            [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, this->edges, scratch); });
   EXPECT_NEAR(this->volume(state, over) / this->whole(), 1, 1e-15);
   EXPECT_NEAR(this->volume(state, outwards) / this->whole(), 0.42, 1e-12);
   this->expect_uniform(state);
@@ -227,7 +228,8 @@ TYPED_TEST(Moves, FullCellsTakeWhatTheyLack) {
   for (double& c : other) c *= 1.1;
   this->put(state, under, 0.95 * this->whole(), this->one);
   this->put(state, outwards, 0.4 * this->whole(), other);
-  this->run(state, [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, scratch); });
+  this->run(state,
+            [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, this->edges, scratch); });
   EXPECT_NEAR(this->volume(state, under) / this->whole(), 1, 1e-15);
   EXPECT_NEAR(this->volume(state, outwards) / this->whole(), 0.35, 1e-12);
   for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
@@ -245,10 +247,40 @@ TYPED_TEST(Moves, FullCellsWithNothingInThemFillUp) {
   auto state = this->slab(7.4);
   const auto empty = TestFixture::cell(6, 9), outwards = TestFixture::cell(7, 9);
   this->put(state, empty, 0, this->one);
-  this->run(state, [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, scratch); });
+  this->run(state,
+            [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, this->edges, scratch); });
   EXPECT_NEAR(this->volume(state, empty) / this->whole(), 0.2, 1e-12);
   EXPECT_NEAR(this->volume(state, outwards) / this->whole(), 0.2, 1e-12);
   this->expect_uniform(state);
+}
+
+/// The body goes on beyond an open edge, in the state of the cell there.
+TYPED_TEST(Moves, WhatAFullCellLacksComesThroughAnOpenEdge) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  auto state = this->slab(20.6);
+  const auto under = TestFixture::cell(19, 9), over = TestFixture::cell(19, 8);
+  this->put(state, under, 0.7 * this->whole(), this->one);
+  if (dim > 1) this->put(state, over, 1.1 * this->whole(), this->one);
+  const auto before = totals(state, 0);
+  update_all(state, 0,
+             [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, this->edges, scratch); });
+  EXPECT_NEAR(this->volume(state, under) / this->whole(), 1, 1e-15);
+  this->expect_uniform(state);
+  const double left = (dim > 1 ? 0.1 - 0.3 : -0.3) * this->whole();
+  EXPECT_NEAR(this->edges.mass / (left * this->one[C::rho]), 1, 1e-12);
+  EXPECT_NEAR(this->edges.energy / (left * this->one[C::energy]), 1, 1e-12);
+  EXPECT_NEAR((totals(state, 0)[C::rho] + this->edges.mass) / before[C::rho], 1, 1e-14);
+}
+
+/// Beyond the reach of the surface a block may not look at what others send it.
+TYPED_TEST(Moves, DeepInsideNothingMoves) {
+  auto state = this->slab(17.4);
+  const auto deep = TestFixture::cell(10, 9);
+  this->put(state, deep, 0.7 * this->whole(), this->one);
+  this->run(state,
+            [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, this->edges, scratch); });
+  EXPECT_EQ(this->volume(state, deep), 0.7 * this->whole());
 }
 
 TYPED_TEST(Moves, AThinBodyKeepsADeficitThatItsNeighbourCannotFill) {
@@ -267,7 +299,8 @@ TYPED_TEST(Moves, AThinBodyKeepsADeficitThatItsNeighbourCannotFill) {
     b.end_geometry.kind[k] = CellKind::full;
     set_piece(b, k, 0.6 * this->whole(), this->one);
   });
-  this->run(state, [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, scratch); });
+  this->run(state,
+            [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, this->edges, scratch); });
   EXPECT_EQ(this->volume(state, at), 0.6 * this->whole());
 }
 
@@ -322,7 +355,7 @@ TYPED_TEST(Moves, NothingMovesInASettledBody) {
     auto& body = state.bodies[0];
     empty_outside(state, body, s, this->edges, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
-    fill_inside(state, body, s, scratch);
+    fill_inside(state, body, s, this->edges, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
     bound_volumes(state, body, s, this->counters, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
@@ -337,7 +370,7 @@ TYPED_TEST(Moves, BlocksWithoutReachAreLeftAlone) {
     auto& body = state.bodies[0];
     body.at(s).reach = {};
     empty_outside(state, body, s, this->edges, scratch);
-    fill_inside(state, body, s, scratch);
+    fill_inside(state, body, s, this->edges, scratch);
     bound_volumes(state, body, s, this->counters, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
   });

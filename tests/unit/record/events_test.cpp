@@ -203,7 +203,7 @@ TEST(Events, RicochetIsAReversal) {
   back.end();
   ASSERT_EQ(back.kinds(), (std::vector<std::string>{"contact", "opening", "ricochet"}));
   EXPECT_EQ(back.watch.events()[2].detail,
-            "flyer: 10 m/s before, -5 m/s after; 10 m/s towards target, then 5 m/s away");
+            "flyer: 10 m/s before, -5 m/s after; along the impulse 10 m/s towards target, then 5 m/s away");
 
   // From 10 m/s to -5 m/s, and the target of four times the mass to 3.75 m/s.
   EXPECT_NEAR(back.watch.stories()[0].restitution, (3.75 + 5) / 10, 1e-12);

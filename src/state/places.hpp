@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+
+#include "field/components.hpp"
+#include "material/damage/damage.hpp"
+#include "state/body.hpp"
+
+namespace recoil {
+
+/// f(cell, its place in the block's arrays) for all cells of a block.
+template <int Dim, class F>
+void for_each_place(const State<Dim>& state, int slot, F&& f) {
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
+  for_each(cells, [&](const Index<Dim>& i) { f(i, static_cast<std::size_t>(layout.at(i - cells.lo))); });
+}
+
+/// Whether the fragment at a place of a block has failed.
+template <int Dim>
+[[gnu::always_inline]] inline bool has_failed(const BodyBlock<Dim>& b, std::size_t k) {
+  return b.contents[Components<Dim>::damage * b.volume.size() + k] >= failed_damage * b.contents[k];
+}
+
+}  // namespace recoil
