@@ -72,13 +72,16 @@ def last_at(t, y, level):
 
 
 def pull_back(y):
-    """The fall from the largest value to the lowest behind it, before a rise by a tenth of that fall."""
+    """The fall from the largest value to the lowest behind it, before a rise by a tenth of that fall.
+
+    A fall by 1 % of the largest value or less is noise on a plateau.
+    """
     if not len(y):
         return NAN
     after = y[numpy.argmax(y) :]
     lowest = numpy.minimum.accumulate(after)
     fall = after[0] - lowest
-    risen = numpy.flatnonzero((fall > 0) & (after - lowest > 0.1 * fall))
+    risen = numpy.flatnonzero((fall > 0.01 * abs(after[0])) & (after - lowest > 0.1 * fall))
     return float(fall[risen[0]]) if len(risen) else NAN
 
 

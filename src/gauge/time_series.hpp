@@ -51,7 +51,8 @@ struct Peak {
 Peak peak_of(const Curve& curve);
 
 /// The pull-back of a free-surface velocity: from its largest value down to the lowest one that follows it
-/// before the record rises again by a tenth of that fall. NaN where it does not rise again.
+/// before the record rises again by a tenth of that fall, which must be more than 1 % of the peak (less is
+/// noise on a plateau). NaN where it does not rise again.
 struct PullBack {
   double fall = std::numeric_limits<double>::quiet_NaN(), peak_time = fall, time = fall;
 };

@@ -16,33 +16,34 @@ import unittest
 
 PROGRAM = os.environ["RECOIL_PROGRAM"]
 
-# Plates that are askew to the mesh; a scab flies off the target. Blocks are small, so that the crack crosses their edges.
+# Plates between planes of symmetry; a scab flies off the target. Blocks are small, so that the crack crosses their edges.
 CASE = """
 format = 1
 title = "spall"
 [domain]
 geometry = "planar"
-x = ["-2 mm", "4 mm"]
-y = ["-1.2 mm", "4.8 mm"]
+x = ["-1.5 mm", "3.3 mm"]
+y = ["0 mm", "2.4 mm"]
+boundary = { x = ["outflow", "outflow"], y = ["symmetry", "symmetry"] }
 [mesh]
 finest = "0.1 mm"
 block = 12
 [time]
-end = "1.6 us"
+end = "1.2 us"
 [body.flyer]
 material = "breaking"
-shape = { kind = "box", x = ["-1 mm", "0 mm"], y = ["0 mm", "3 mm"], rotation = "10 deg", centre = { x = "0 mm", y = "0 mm" } }
-velocity = { speed = "400 m/s", angle = "10 deg" }
+shape = { kind = "box", x = ["-1 mm", "0 mm"], y = ["0 mm", "2.4 mm"] }
+velocity = { x = "400 m/s" }
 [body.target]
 material = "breaking"
-shape = { kind = "box", x = ["0 mm", "2 mm"], y = ["0 mm", "3 mm"], rotation = "10 deg", centre = { x = "0 mm", y = "0 mm" } }
+shape = { kind = "box", x = ["0 mm", "2 mm"], y = ["0 mm", "2.4 mm"] }
 [material.breaking]
 base = "aluminium/6061-t6"
 damage = { kind = "tensile", threshold = "1 GPa", exponent = 1, time = "0.02 us" }
 [gauge.spall]
 kind = "pullback"
 body = "target"
-at = { x = "1.709 mm", y = "1.824 mm" }
+at = { x = "2 mm", y = "1.1 mm" }
 [gauge.pieces]
 kind = "fragments"
 body = "target"
@@ -54,21 +55,21 @@ every = "0.1 us"
 [gauge.behind]
 kind = "residual"
 body = "target"
-at = { x = "2 mm", y = "2 mm" }
+at = { x = "2 mm", y = "1 mm" }
 direction = { x = 1 }
 every = "0.1 us"
 [gauge.dent]
 kind = "crater"
 body = "target"
-at = { x = "0 mm", y = "0 mm" }
+at = { x = "0 mm", y = "1.2 mm" }
 direction = { x = -1 }
-radius = "2 mm"
+radius = "1 mm"
 every = "0.2 us"
 [output.fields]
-every = "0.4 us"
+every = "0.3 us"
 variables = ["velocity", "damage", "fragment"]
 [output.checkpoint]
-every = "0.5 us"
+every = "0.4 us"
 keep = 9
 [limits]
 overfilled-cells = 1
@@ -133,7 +134,7 @@ class Fragments(unittest.TestCase):
         fall = float(signal["pullback [m/s]"])
         self.assertAlmostEqual(fall, 166, delta=25)
         self.assertAlmostEqual(float(signal["spall-strength [GPa]"]), 0.5e-9 * 2700 * 5240 * fall, delta=0.1)
-        self.assertAlmostEqual(float(signal["scab-thickness [mm]"]), 0.8, delta=0.3)
+        self.assertAlmostEqual(float(signal["scab-thickness [mm]"]), 0.6, delta=0.3)
         self.assertGreater(float(table(self.folder / "1" / "gauges" / "tension.csv")[-1]["stress [GPa]"]), 1)
 
     def test_processes_give_the_same_fragments(self):

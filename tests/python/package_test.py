@@ -105,7 +105,8 @@ class Results(Scratch):
 
     def test_pull_back(self):
         """A rise by less than a tenth of the fall does not end it, one by more does; without a rise there is none."""
-        for record, wanted in (([0, 10, 4, 4.5, 3, 9, 1], 7), ([0, 10, 4, 4.7, 3, 9], 6), ([0, 10, 4], numpy.nan)):
+        for record, wanted in (([0, 10, 4, 4.5, 3, 9, 1], 7), ([0, 10, 4, 4.7, 3, 9], 6), ([0, 10, 4], numpy.nan),
+                               ([0, 10, 9.95, 10, 4, 9], 6)):
             numpy.testing.assert_equal(recoil.quantities.pull_back(numpy.array(record)), wanted)
 
     def test_tables(self):

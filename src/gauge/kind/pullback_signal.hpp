@@ -14,7 +14,8 @@ namespace recoil {
 /// (time_series.hpp); a velocity above the peak begins anew.
 class PullbackSignal {
  public:
-  static constexpr double rebound = 0.1;  // of the fall
+  static constexpr double rebound = 0.1;      // of the fall
+  static constexpr double least_fall = 0.01;  // of the peak
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   void add(double time, double velocity) {
@@ -22,7 +23,8 @@ class PullbackSignal {
     if (rings_) return ring(time, velocity);
     keep(time, velocity);
     if (velocity < low_) low_ = velocity, low_time_ = time;
-    if (velocity - low_ > rebound * (peak_ - low_)) stand(time, velocity);
+    const double fall = peak_ - low_;
+    if (fall > least_fall * std::abs(peak_) && velocity - low_ > rebound * fall) stand(time, velocity);
   }
 
   double peak() const { return std::isfinite(peak_) ? peak_ : unknown; }

@@ -45,6 +45,13 @@ TEST(PullbackSignal, WithoutARiseThereIsNone) {
   EXPECT_TRUE(std::isnan(signal.period()));
 }
 
+TEST(PullbackSignal, NoiseOnAPlateauIsNoFall) {
+  PullbackSignal signal;
+  double time = 0;
+  for (const double u : {0.0, 391.1, 390.9, 391.05, 380.0, 224.0, 300.0}) signal.add(++time, u);
+  EXPECT_NEAR(signal.fall(), 391.1 - 224, 1e-9);
+}
+
 /// At any time it is what pull_back_of() finds in the record so far.
 TEST(PullbackSignal, IsThatOfTheRecord) {
   Random random(3);
