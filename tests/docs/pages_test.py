@@ -79,7 +79,7 @@ class Shapes(unittest.TestCase):
             case = pathlib.Path(folder) / "case.toml"
             for block in blocks:
                 sides = "".join(f'{axis} = ["-50 mm", "50 mm"]\n' for axis in "xyz")
-                case.write_text(f'[domain]\ngeometry = "3d"\n{sides}[mesh]\nfinest = "5 mm"\n[time]\nend = "1 us"\n'
+                case.write_text(f'[domain]\ngeometry = "3d"\n{sides}[mesh]\nfinest = "2 mm"\n[time]\nend = "1 us"\n'
                                 f'[body.a]\nrigid = true\n{textwrap.dedent(block)}')  # fmt: skip
                 done = subprocess.run([os.environ["RECOIL_PROGRAM"], "check", case], capture_output=True, text=True, timeout=60)
                 self.assertNotIn("error", done.stderr, block)
