@@ -24,7 +24,9 @@ void relieve_averages(const State<Dim>& state, Body<Dim>& body, int slot) {
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
   std::visit(
-      [&](const auto& eos) {
+      [&]<class EosModel>(const EosModel& eos) {
+        // Void that has closed has no energy of its own any more.
+        if constexpr (!EosModel::barotropic) std::fill_n(b.average.begin() + C::extra * n, n, 0.0);
         for_each(cells, [&](const Index<Dim>& i) {
           const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
           if ((b.role[k] & donates) == 0 || !(b.average[C::damage * n + k] >= failed_damage)) return;

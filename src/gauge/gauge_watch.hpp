@@ -95,6 +95,7 @@ void append(std::vector<double>& row, const Vec<Dim>& v) {
 
 /// Defines make_watch() of a kind in all dimensions. Watch<Dim> has a constructor (const Kind&, const
 /// WatchSetup<Dim>&).
+// NOLINTBEGIN(bugprone-macro-parentheses): types and template arguments cannot stand in parentheses
 #define RECOIL_WATCH_IN(Dim, Kind, Watch)                                                            \
   template <>                                                                                        \
   std::unique_ptr<GaugeWatch<Dim>> make_watch<Dim>(const Kind& kind, const WatchSetup<Dim>& setup) { \
@@ -104,5 +105,6 @@ void append(std::vector<double>& row, const Vec<Dim>& v) {
   RECOIL_WATCH_IN(1, Kind, Watch) \
   RECOIL_WATCH_IN(2, Kind, Watch) \
   RECOIL_WATCH_IN(3, Kind, Watch)
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace recoil

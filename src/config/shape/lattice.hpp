@@ -11,7 +11,7 @@ struct Lattice {
   std::vector<Shape> shape;      // one
   Vector count{1, 1, 1};         // copies along each axis, whole numbers
   Vector pitch{};                // m
-  std::vector<Shape> copies{};   // all of them
+  std::vector<Shape> copies;     // all of them
   std::vector<Bounds> around{};  // around each
 
   static constexpr const char* kind = "lattice";

@@ -173,7 +173,9 @@ TYPED_TEST(FragmentsOf, EqualOnesAreOrderedByPlace) {
   const auto found = find_fragments(state, parallel::World{});
   ASSERT_EQ(found.list.size(), 4U);
   EXPECT_NEAR(found.list[0].mass / found.list[1].mass, 1, 1e-12);
-  if (found.list[0].mass == found.list[1].mass) EXPECT_LT(found.list[0].first, found.list[1].first);
+  if (found.list[0].mass == found.list[1].mass) {
+    EXPECT_LT(found.list[0].first, found.list[1].first);
+  }
 }
 
 /// A gap four cells wide through a body whose cells are of three sizes.
