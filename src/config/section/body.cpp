@@ -215,7 +215,8 @@ Entries<Body> keys_of_start() {
        .doc =
            "at the start; planar also { speed = \"1 km/s\", angle = \"-10 deg\" } from the x axis; 3d with "
            "elevation = \"30 deg\" as well, out of the plane of x and y",
-       .example = R"({ x = "450 m/s" })"},
+       .example = R"({ x = "450 m/s" })",
+       .when = [](const Body& b) { return b.velocity_history.empty(); }},
       {.name = "spin",
        .member = &Body::spin,
        .unit = "rad/s",

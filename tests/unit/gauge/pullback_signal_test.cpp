@@ -25,7 +25,9 @@ TEST(PullbackSignal, OfASpall) {
     PullbackSignal signal;
     for (int k = 0; k <= 5 * steps; ++k) {
       const double t = static_cast<double>(k) / steps;
-      if (t < 3) EXPECT_TRUE(std::isnan(signal.fall()));
+      if (t < 3) {
+        EXPECT_TRUE(std::isnan(signal.fall()));
+      }
       signal.add(t, velocity(t));
     }
     const double h = 2.0 / steps;

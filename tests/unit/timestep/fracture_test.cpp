@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../core/dimensions.hpp"
+#include "dynamics/primitives.hpp"
 #include "run.hpp"
 
 namespace recoil {
@@ -127,6 +128,30 @@ TEST(FractureAtHypervelocity, BudgetsClose) {
   EXPECT_LE(counted.averaged_states, 3);
   EXPECT_GT(failed_mass(run, 0) + failed_mass(run, 1), 0);
   EXPECT_GT(counted.opened_cells + counted.restored_cells, 0);
+}
+
+/// The averages of one stage do not remember those of another: resumed runs have the same bits.
+TEST(Fracture, AVoidThatHasClosedKeepsNoEnergy) {
+  using C = Components<2>;
+  TestRun<2> run(plates<2>(0, 0.1 * mm), {breaking(1e9), breaking(1e9)});
+  Body<2>& target = run.state.bodies[1];
+  int slot = 0;
+  while (!target.present(slot)) ++slot;
+  BodyBlock<2>& b = target.at(slot);
+  const std::size_t n = b.volume.size();
+  std::size_t k = 0;
+  while (!(b.volume[k] > 0.99 * run.state.grid().dx_power(2))) ++k;
+  b.contents[C::rho * n + k] *= 0.9;  // in tension
+  b.contents[C::damage * n + k] = b.contents[C::rho * n + k];
+  Counters counters;
+  choose_roles(run.state, target, slot, counters);
+  average_primitives(run.state, target, slot, counters);
+  EXPECT_EQ(b.average[C::p * n + k], 0);
+  EXPECT_NE(b.average[C::extra * n + k], 0);
+  b.contents[C::energy * n + k] += 1e7 * b.contents[C::rho * n + k];  // hot: under pressure again
+  average_primitives(run.state, target, slot, counters);
+  EXPECT_GT(b.average[C::p * n + k], 0);
+  EXPECT_EQ(b.average[C::extra * n + k], 0);
 }
 
 }  // namespace
