@@ -19,7 +19,7 @@ QUICK = {
     "taylor": ["--set", "mesh.finest=0.5mm", "--end", "2us"],
     "penetration": ["--set", "mesh.finest=0.8mm", "--end", "1us"],
     "hypervelocity": ["--set", "mesh.finest=0.2mm", "--end", "0.1us"],
-    "ogive": ["--set", "mesh.finest=1.5mm", "--end", "2us"],
+    "ogive": ["--set", "mesh.finest=1.5mm", "--end", "4us"],
     "fragment": ["--set", "mesh.finest=1mm", "--end", "1.5us"],
 }  # fmt: skip
 

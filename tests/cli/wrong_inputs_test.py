@@ -108,7 +108,7 @@ ERRORS = [
      "'velocity-history' is for rigid bodies", 13, 1, "a rigid body can push it"),
     ([('material = "aluminium/6061-t6"', "rigid = true"),
       ('velocity = { x = "450 m/s" }', 'velocity-history = [["1 us", { x = "1 m/s" }], ["1 us", { x = "2 m/s" }]]')],
-     "the times of 'velocity-history' do not grow", 13, 49, "nanosecond"),
+     "the times of 'velocity-history' do not grow", 13, 48, "nanosecond"),
     ([after_end('[output]\ncheckpoint = { every = "10 us" }')], "'every' = 10 us lies beyond the end", 11, 24, "gives 100"),
     ([after_end('[output]\ncheckpoint = { keep = 0 }')], "'keep' must be at least 1", 11, 23, "newest"),
     ([('"0.1 mm"', '"0.1 mm"\nblock = 4')], "blocks of 4 cells are too small", 8, 9, "block = 16"),

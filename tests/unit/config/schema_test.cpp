@@ -83,7 +83,7 @@ TEST(Schema, GaugesAreListedByKindWithTheirColumns) {
     EXPECT_FALSE(section.columns.empty()) << section.kind;
     EXPECT_NE(section.kind, "");
   }
-  EXPECT_EQ(kinds, 7);
+  EXPECT_EQ(kinds, 12);
   EXPECT_NE(explain("gauge").find("peak-stress"), std::string::npos);
   EXPECT_NE(explain("gauge").find("velocity.AXIS"), std::string::npos);
 }

@@ -69,7 +69,7 @@ TEST(MakeGrid, ClosedAxesNeedWholeCells) {
       make_grid<2>(c);
       FAIL();
     } catch (const InputError& e) {
-      EXPECT_NE(std::string(e.what()).find("axis 0 of the domain is 12.4 cells long"), std::string::npos)
+      EXPECT_NE(std::string(e.what()).find("the domain is 12.4 cells long along x"), std::string::npos)
           << e.what();
       EXPECT_NE(std::string(e.what()).find("gives 12 cells"), std::string::npos) << e.what();
     }
