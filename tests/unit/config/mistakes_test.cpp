@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{16, "shape = { kind = \"half-space\", point = { x = \"0 m\" }, normal = { x = 0 } }", 16, 55,
                 "no direction", ""},
         Mistake{16, "shape = { kind = \"polygon\", vertices = [[\"0 m\", \"0 m\"]] }", 16, 40,
-                "at least three", ""},
+                "at least 3", ""},
         Mistake{16, "shape = { kind = \"difference\", parts = [] }", 16, 40, "at least 2 shapes", ""},
         Mistake{14,
                 "[body.\"a b\"]\nrigid = true\nshape = { kind = \"disc\", radius = \"5 mm\" }\n[body.target]",
