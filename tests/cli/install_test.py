@@ -54,7 +54,7 @@ class Install(unittest.TestCase):
         schema = (self.folder / "fresh" / "case.toml").read_text().split()[1]
         self.assertTrue((self.folder / "fresh" / schema).is_file(), schema)
         self.assertIn("predicted", self.recoil("check", "flyer_al_cu"))  # a shipped case by its name
-        for case in sorted((data / "cases").glob("*/case.toml")):
+        for case in sorted((data / "cases").rglob("case.toml")):
             self.assertTrue((case.parent / case.read_text().split()[1]).is_file(), case)
 
     def test_version_is_that_of_the_project(self):

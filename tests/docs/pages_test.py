@@ -3,7 +3,7 @@
 
 Every block of C++ of a how-to page docs/how-to/NAME.md stands word for word in tests/unit/howto/NAME_test.cpp (with _
 for -), which is compiled and run with the unit tests. With RECOIL_PROGRAM also: docs/reference/ is what the program
-writes. Every case names a schema that is there.
+writes. Every case names a schema that is there, and passes the check.
 """
 
 import os
@@ -107,10 +107,16 @@ class Reference(unittest.TestCase):
 
 
 class Cases(unittest.TestCase):
+    cases = sorted(c for c in (ROOT / "cases").rglob("*.toml") if c.name != "expected.toml")
+
+    def test_every_case_passes_the_check(self):
+        for case in self.cases:
+            said = subprocess.run([os.environ["RECOIL_PROGRAM"], "check", case], capture_output=True, text=True, check=False)
+            self.assertEqual(said.returncode, 0, f"{case}\n{said.stdout}{said.stderr}")
+
     def test_every_case_names_its_schema(self):
-        cases = sorted((ROOT / "cases").glob("*/case.toml"))
-        self.assertTrue(cases)
-        for case in cases:
+        self.assertTrue(self.cases)
+        for case in self.cases:
             first = case.read_text().splitlines()[0]
             self.assertRegex(first, r"^#:schema \S+$", case)
             schema = (case.parent / first.split()[1]).resolve()
