@@ -29,7 +29,7 @@ if(RECOIL_NATIVE)
 endif()
 if(RECOIL_SANITIZE)
   set(recoil_sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all)
-  target_compile_options(recoil_flags INTERFACE ${recoil_sanitizers} -O1 -g1 -fno-omit-frame-pointer)
+  target_compile_options(recoil_flags INTERFACE ${recoil_sanitizers} -O2 -g1 -fno-omit-frame-pointer)
   target_compile_definitions(recoil_flags INTERFACE _GLIBCXX_ASSERTIONS)
   target_link_options(recoil_flags INTERFACE ${recoil_sanitizers})
 endif()
@@ -39,11 +39,11 @@ if(RECOIL_COVERAGE)
   target_link_options(recoil_flags INTERFACE --coverage)
 endif()
 
-# The tests' own files on top, as the target recoil_test_flags, which comes after recoil_flags: optimised little or not at
-# all. Each is compiled in about half the time, and what takes long to run is the library.
-add_library(recoil_test_flags INTERFACE)
+# For files that take no time in a run, the tests' own among them, as the target recoil_little_optimised, which has to come
+# after recoil_flags: each is compiled in about half the time.
+add_library(recoil_little_optimised INTERFACE)
 if(RECOIL_SANITIZE)
-  target_compile_options(recoil_test_flags INTERFACE -O0)
+  target_compile_options(recoil_little_optimised INTERFACE -O0)
 elseif(CMAKE_BUILD_TYPE STREQUAL "Release")
-  target_compile_options(recoil_test_flags INTERFACE -O1)
+  target_compile_options(recoil_little_optimised INTERFACE -O1)
 endif()

@@ -36,7 +36,7 @@ if(recoil_test_sources)
   include(GoogleTest)
   add_executable(recoil_tests ${recoil_test_sources})
   target_compile_definitions(recoil_tests PRIVATE RECOIL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(recoil_tests PRIVATE recoil_lib recoil_flags recoil_test_flags rapidcheck rapidcheck_gtest
+  target_link_libraries(recoil_tests PRIVATE recoil_lib recoil_flags recoil_little_optimised rapidcheck rapidcheck_gtest
                                              GTest::gtest GTest::gtest_main)
   add_dependencies(recoil_tests recoil_build_info)
   if(RECOIL_SANITIZE)
@@ -44,7 +44,35 @@ if(recoil_test_sources)
     target_precompile_headers(recoil_tests PRIVATE <fmt/format.h> <gtest/gtest.h> <algorithm> <array> <cmath> <filesystem>
                               <functional> <string> <vector>)
   endif()
-  gtest_discover_tests(recoil_tests DISCOVERY_TIMEOUT 300 PROPERTIES TIMEOUT 600 LABELS unit)
+  if(RECOIL_SANITIZE)
+    # Sanitized code is about 25 times slower. Left out are runs of seconds that compare numbers; shorter tests, or the
+    # same one in fewer dimensions, go through the same code. A sanitized process also takes two seconds to start, so
+    # tests run in groups.
+    set(recoil_long_tests
+        BlockSize.DoesNotShowInSpace
+        FieldPicture.OutlinesAreDark
+        Fracture/2.AScabFliesOff
+        Fracture/2.BlocksAndThreadsDoNotMatter
+        OneStage.AWaveAcrossSpaceConvergesAtSecondOrder
+        PictureFile.SameFieldGivesTheSameBytes
+        Regrid/1.PlatesAreAsOnTheFinestMesh
+        Regrid/2.PlatesAreAsOnTheFinestMesh
+        Regrid/2.ThreadsGiveTheSameBits
+        Schemes/GhostFluid.ThreadsAndBlocksGiveTheSameBits/Seed)
+    list(JOIN recoil_long_tests ":" recoil_long_tests)
+    set(recoil_test_groups 24)
+    math(EXPR last "${recoil_test_groups} - 1")
+    foreach(group RANGE ${last})
+      add_test(NAME "unit.${group}" COMMAND recoil_tests --gtest_brief=1 "--gtest_filter=-${recoil_long_tests}")
+      set_tests_properties(
+        "unit.${group}"
+        PROPERTIES ENVIRONMENT "${recoil_test_environment};GTEST_TOTAL_SHARDS=${recoil_test_groups};GTEST_SHARD_INDEX=${group}"
+                   TIMEOUT 600
+                   LABELS unit)
+    endforeach()
+  else()
+    gtest_discover_tests(recoil_tests DISCOVERY_TIMEOUT 300 PROPERTIES TIMEOUT 600 LABELS unit)
+  endif()
   # gtest_discover_tests cannot pass a list as a property's value, so the environment is set when CTest reads the tests.
   file(WRITE "${PROJECT_BINARY_DIR}/recoil_tests_environment.cmake"
        "set_tests_properties(\${recoil_tests_TESTS} PROPERTIES ENVIRONMENT [==[${recoil_test_environment}]==])\n")

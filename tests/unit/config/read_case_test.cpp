@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "../support/sanitized.hpp"
 #include "../support/scratch_folder.hpp"
 
 namespace recoil::config {
@@ -206,7 +207,7 @@ TEST(ReadCase, ACutOffFileNeverCrashes) {
 }
 
 TEST(ReadCase, ADamagedFileNeverCrashes) {
-  for (std::size_t n = 0; n < flyer.size(); ++n) {
+  for (std::size_t n = 0; n < flyer.size(); n += sanitized ? 7 : 1) {
     for (const char c : {'"', '[', '\xFF', '9'}) {
       std::string text = flyer;
       text[n] = c;
