@@ -198,35 +198,68 @@ double trace_range(const Body<Dim>& body, const Wall<Dim>& wall, const Donor<Dim
   return high - low;
 }
 
+/// Weighted sums over donors of the first `count` primitives: differences from the first donor's values.
+template <int Dim, std::size_t count>
+struct DonorSums {
+  std::array<double, count> base{}, mean{}, low{}, high{};
+  std::array<std::array<double, count>, Dim> gradient{};
+};
+
+/// Signs of all components for each set of axes across which a donor is seen in a mirror.
+template <int Dim>
+constexpr auto mirror_signs() {
+  std::array<std::array<double, Components<Dim>::primitives>, 1U << Dim> signs{};
+  for (unsigned flips = 0; flips < signs.size(); ++flips)
+    for (std::size_t c = 0; c < signs[flips].size(); ++c)
+      signs[flips][c] = component_sign<Dim>(static_cast<int>(c), flips);
+  return signs;
+}
+
+/// Donor by donor: all components of a cell at once, whose sums lie side by side.
+template <int Dim, std::size_t count>
+DonorSums<Dim, count> sum_donors(const Body<Dim>& body, const Donor<Dim>* donors, int number, std::size_t n) {
+  static constexpr auto signs = mirror_signs<Dim>();
+  DonorSums<Dim, count> sums;
+  for (int k = 0; k < number; ++k) {
+    const Donor<Dim>& donor = donors[k];
+    const double* from = body.at(donor.slot).average.data() + donor.cell;
+    std::array<double, count> v;
+    for (std::size_t c = 0; c < count; ++c) v[c] = from[c * n];
+    if (donor.flips != 0)
+      for (std::size_t c = 0; c < count; ++c) v[c] *= signs[donor.flips][c];
+    if (k == 0) sums.base = sums.low = sums.high = v;
+#pragma omp simd
+    for (std::size_t c = 0; c < count; ++c) {
+      sums.low[c] = v[c] < sums.low[c] ? v[c] : sums.low[c];
+      sums.high[c] = sums.high[c] < v[c] ? v[c] : sums.high[c];
+      v[c] -= sums.base[c];
+      sums.mean[c] += donor.weight * v[c];
+    }
+    for (int d = 0; d < Dim; ++d) {
+      const double weight = donor.slope_weight[d];
+      std::array<double, count>& gradient = sums.gradient[static_cast<std::size_t>(d)];
+#pragma omp simd
+      for (std::size_t c = 0; c < count; ++c) gradient[c] += v[c] * weight;
+    }
+  }
+  return sums;
+}
+
 template <int Dim, class EosModel>
 void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& b, Wall<Dim>& wall,
               std::size_t n, Counters& counters) {
   using C = Components<Dim>;
   constexpr std::size_t count = EosModel::barotropic ? C::primitives : C::contents;
   const Donor<Dim>* const donors = b.donors.data() + wall.first_donor;
-  double mean_p = 0;
+  const auto sums = sum_donors<Dim, count>(body, donors, wall.donors, n);
   for (std::size_t c = 0; c < count; ++c) {
-    double base = 0, mean = 0, low = 0, high = 0;
-    Vec<Dim> gradient;
-    for (int k = 0; k < wall.donors; ++k) {
-      const Donor<Dim>& donor = donors[k];
-      double v = body.at(donor.slot).average[c * n + static_cast<std::size_t>(donor.cell)];
-      if (donor.flips != 0 && component_sign<Dim>(static_cast<int>(c), donor.flips) < 0) v = -v;
-      if (k == 0) base = low = high = v;
-      const double from_base = v - base;
-      mean += donor.weight * from_base;
-      gradient += from_base * donor.slope_weight;
-      low = std::min(low, v);
-      high = std::max(high, v);
-    }
-    mean += base;
+    const double mean = sums.mean[c] + sums.base[c], low = sums.low[c], high = sums.high[c];
+    for (std::size_t d = 0; d < Dim; ++d) wall.gradient[c][static_cast<int>(d)] = sums.gradient[d][c];
     wall.range[c] = high - low;
-    wall.gradient[c] = gradient;
-    const double at_surface = mean - dot(gradient, wall.donor_centre), slack = 0.5 * (high - low);
+    const double at_surface = mean - dot(wall.gradient[c], wall.donor_centre), slack = 0.5 * (high - low);
     wall.value[c] = c == C::rho || c >= C::ep ? mean : std::clamp(at_surface, low - slack, high + slack);
-    if (c == C::p) mean_p = mean;
   }
-  const double rho = wall.value[C::rho];
+  const double rho = wall.value[C::rho], mean_p = sums.mean[C::p] + sums.base[C::p];
   const double c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_wall_sound_squared(eos));
   const double change = (wall.value[C::p] - mean_p) / c2,
                kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
