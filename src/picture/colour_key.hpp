@@ -31,8 +31,8 @@ struct ColourChoice {
   std::vector<Category> categories{};                ///< in place of all that, where there are any
 };
 
-/// The colours for these values; those that are not finite do not count. In a diverging map zero has the middle
-/// colour; logarithmic colours go over six decades at most, unless a range is given.
+/// The colours for these values; those that are not finite do not count. In a diverging map zero has the
+/// middle colour; logarithmic colours go over six decades at most, unless a range is given.
 Colours colours_of(const std::vector<double>& values, const ColourChoice& choice);
 
 /// The bar, or list of categories, that tells what the colours mean.

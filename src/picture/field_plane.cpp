@@ -126,8 +126,7 @@ class ObliqueRaster {
       for (int i = 0; i < met.nx; ++i)
         if (met.at(i, j) >= 0)
           i0 = std::min(i0, i), i1 = std::max(i1, i), j0 = std::min(j0, j), j1 = std::max(j1, j);
-    if (i1 < 0)
-      throw InputError("the plane lies outside of all matter\n   = help: choose another --slice");
+    if (i1 < 0) throw InputError("the plane lies outside of all matter\n   = help: choose another --slice");
     empty_ = {i1 - i0 + 1, j1 - j0 + 1, met.x0 + i0 * met.dx, met.y0 + j0 * met.dy, met.dx, met.dy, {}};
   }
 

@@ -58,9 +58,9 @@ FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const Ru
 /// The two directions that span an oblique plane, of length 1: the one across is horizontal where z is up.
 std::array<Vec<3>, 2> axes_of(const SpacePlane& plane);
 
-/// The same in an oblique plane through a 3-D grid, at the width of the smallest cells: each place has the value of
-/// the cell that holds it, level sets are linear between the middles of cells. Coordinates are along axes_of(),
-/// from the origin of space.
+/// The same in an oblique plane through a 3-D grid, at the width of the smallest cells: each place has the
+/// value of the cell that holds it, level sets are linear between the middles of cells. Coordinates are along
+/// axes_of(), from the origin of space.
 FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const RunUnits& units,
                        const SpacePlane& plane);
 

@@ -10,7 +10,8 @@
 namespace recoil::app {
 
 ColourChoice chosen_colours(const std::vector<double>& shown, const std::string& label,
-                            const std::vector<Category>& categories, bool signed_values, const PlotOptions& o) {
+                            const std::vector<Category>& categories, bool signed_values,
+                            const PlotOptions& o) {
   ColourChoice choice;
   choice.categories = categories;
   if (!categories.empty()) {

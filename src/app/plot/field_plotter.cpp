@@ -47,7 +47,7 @@ std::vector<std::string> axes_in(const config::Domain& domain, const SpacePlane&
   const auto [across, up] = axes_of(slice);
   axes.clear();
   for (const Vec<3>& a : {across, up})
-    axes.push_back(fmt::format("along ({:.3g}, {:.3g}, {:.3g})", a[0], a[1], a[2]));
+    axes.push_back(fmt::format("along ({:.3g}, {:.3g}, {:.3g})", a[0] + 0.0, a[1] + 0.0, a[2] + 0.0));
   return axes;
 }
 

@@ -54,7 +54,7 @@ class FieldPlotter {
   SpacePlane slice_;  // of a 3-D run
   bool is_line_ = false;
   std::optional<SpacePlotter> view_;  // in place of all that follows
-  std::optional<PlaneBox> box_;  // that all pictures show; of a window in it only that
+  std::optional<PlaneBox> box_;       // that all pictures show; of a window in it only that
   std::vector<Category> categories_;
 };
 

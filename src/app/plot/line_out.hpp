@@ -8,7 +8,8 @@
 
 namespace recoil::app {
 
-/// A field along the line of --along, "0mm,1mm:9mm,1mm", over the distance from its beginning, two values a cell.
+/// A field along the line of --along, "0mm,1mm:9mm,1mm", over the distance from its beginning, two values a
+/// cell.
 /// @param mirror whether x < 0 is the mirror image of x > 0.
 /// @throws InputError for another text, and where there is no matter along it.
 LineChart line_in_plane(const FieldPlane& plane, const std::string& along, const std::string& title,

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <system_error>
 
 #include "app/plot/plot_file.hpp"
 #include "core/error.hpp"
@@ -39,8 +40,8 @@ SpacePlane read_plane(const std::string& text, const char* option) {
   const double size = norm(plane.normal);
   if (!good || !(size > 0))
     throw InputError(
-        fmt::format("a plane is given as z=PLACE, not '{}'\n   = help: {} z=0mm; an oblique one: {} x+y=0mm", text,
-                    option, option));
+        fmt::format("a plane is given as z=PLACE, not '{}'\n   = help: {} z=0mm; an oblique one: {} x+y=0mm",
+                    text, option, option));
   plane.distance = quantity_option(text.substr(equals + 1), "m", option) / size;
   plane.normal *= 1 / size;
   return plane;

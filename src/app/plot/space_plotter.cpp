@@ -43,7 +43,8 @@ SpacePlane towards_viewer(SpacePlane plane, const View& view, const std::string&
   const double facing = dot(plane.normal, view.forward);
   if (std::abs(facing) < 1e-6)
     throw InputError(fmt::format(
-        "the plane {} is seen from its edge\n   = help: choose another --view, e.g. --view -50deg,25deg", text));
+        "the plane {} is seen from its edge\n   = help: choose another --view, e.g. --view -50deg,25deg",
+        text));
   if (facing > 0) plane = {-plane.normal, -plane.distance};
   return plane;
 }
@@ -58,11 +59,13 @@ View read_view(const std::string& text, const std::string& up) {
   const int axis = up.empty() ? 2 : axis_of(up, "--up");
   if (text.empty()) return View::from(usual_azimuth, usual_elevation, axis);
   const std::size_t comma = text.find(',');
-  if (comma == std::string::npos && text.find_first_of("xyz") != std::string::npos) return along_axis(text, axis);
+  if (comma == std::string::npos && text.find_first_of("xyz") != std::string::npos)
+    return along_axis(text, axis);
   if (comma == std::string::npos)
-    throw InputError(fmt::format(
-        "'{}' is no direction of view\n   = help: an axis such as x or -y, or two angles: --view -50deg,25deg",
-        text));
+    throw InputError(
+        fmt::format("'{}' is no direction of view\n   = help: an axis such as x or -y, or two angles: --view "
+                    "-50deg,25deg",
+                    text));
   const double elevation = quantity_option(text.substr(comma + 1), "rad", "--view");
   if (!(std::abs(elevation) <= 90.001 * degree))
     throw InputError("--view: the second angle, above the horizon, is -90 deg to 90 deg");
@@ -83,7 +86,8 @@ SpacePlotter::SpacePlotter(const PlotOptions& o, const config::Case& c)
     throw InputError("--view, --up, --cut, --mirror and --body need a 3d run\n   = help: omit them");
   if (!(o.slice.empty() && o.window.empty() && o.outline.empty() && o.along.empty()))
     throw InputError(
-        "--slice, --window, --outline and --along draw a plane or a curve\n   = help: omit them, or --view, --up, "
+        "--slice, --window, --outline and --along draw a plane or a curve\n   = help: omit them, or --view, "
+        "--up, "
         "--cut, --mirror and --body");
   if (!o.cut.empty()) cut_ = towards_viewer(read_plane(o.cut, "--cut"), view_, o.cut);
 }
@@ -155,8 +159,7 @@ Canvas SpacePlotter::draw(const ChosenDump& dump) const {
   const std::vector<double> values = rays.values();
   const std::vector<Category>& names = categories_.empty() ? scene.categories() : categories_;
   return space_picture(
-      p, rays,
-      colours_of(values, chosen_colours(values, p.label, names, scene.signed_values(), options_)));
+      p, rays, colours_of(values, chosen_colours(values, p.label, names, scene.signed_values(), options_)));
 }
 
 }  // namespace recoil::app

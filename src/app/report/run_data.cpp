@@ -64,7 +64,8 @@ Json gauges_json(const fs::path& run, const LoadedCase& loaded, Blocks& blocks) 
   return all;
 }
 
-/// The columns of the place in a row, "1.5 0"; empty where there is none. Runs of before have one such column.
+/// The columns of the place in a row, "1.5 0"; empty where there is none. Runs of before have one such
+/// column.
 std::string place_text(const CsvTable& table, std::size_t row) {
   std::string text;
   for (std::size_t c = 0; c < table.columns.size(); ++c)

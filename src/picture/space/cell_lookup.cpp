@@ -57,8 +57,7 @@ CellLookup::CellLookup(const UnstructuredGrid& grid) {
   brick_.assign(all, -1);
   for (int n = 0; n < static_cast<int>(lower_.size()); ++n) {
     std::array<int, 3> first{};
-    for (int d = 0; d < 3; ++d)
-      first[d] = static_cast<int>(std::lround((lower(n)[d] - box_.lo[d]) / dx_));
+    for (int d = 0; d < 3; ++d) first[d] = static_cast<int>(std::lround((lower(n)[d] - box_.lo[d]) / dx_));
     enter(n, first, static_cast<int>(std::lround(width(n) / dx_)));
   }
 }
@@ -70,9 +69,9 @@ void CellLookup::enter(int cell, const std::array<int, 3>& first, int width) {
   for (int c = first[2] / side; c <= (first[2] + width - 1) / side; ++c)
     for (int b = first[1] / side; b <= (first[1] + width - 1) / side; ++b)
       for (int a = first[0] / side; a <= (first[0] + width - 1) / side; ++a) {
-        std::int32_t& brick = brick_[static_cast<std::size_t>(a + bricks_[0] * b) +
-                                     static_cast<std::size_t>(bricks_[0] * bricks_[1]) *
-                                         static_cast<std::size_t>(c)];
+        std::int32_t& brick =
+            brick_[static_cast<std::size_t>(a + bricks_[0] * b) +
+                   static_cast<std::size_t>(bricks_[0] * bricks_[1]) * static_cast<std::size_t>(c)];
         if (covers(0, a) && covers(1, b) && covers(2, c)) {
           brick = -2 - cell;
           continue;

@@ -75,8 +75,8 @@ double FieldScene::level_set(const Vec<3>& x, int body) const {
   double sum = 0, weight = 0;
   for (std::size_t n = 0; n < 8; ++n) {
     if (c.cell[n] < 0) continue;
-    sum += c.weight[n] *
-           bodies_[static_cast<std::size_t>(body)].level_set[static_cast<std::size_t>(c.cell[n])];
+    sum +=
+        c.weight[n] * bodies_[static_cast<std::size_t>(body)].level_set[static_cast<std::size_t>(c.cell[n])];
     weight += c.weight[n];
   }
   return weight > 0 ? sum / weight : nothing;

@@ -36,7 +36,7 @@ class FieldScene : public Scene {
 
  private:
   struct Shown {
-    int number;                      // in the dump
+    int number;                     // in the dump
     std::vector<double> level_set;  // of each cell [m]
   };
   bool counts(int cell, int body) const;

@@ -40,8 +40,8 @@ class Scene {
 /// The same with what planes of symmetry reflect.
 class MirroredScene : public Scene {
  public:
-  /// @param at_low,at_high whether the lower or upper face of the scene's box is a plane of symmetry; of an axis
-  /// with both the lower one counts.
+  /// @param at_low,at_high whether the lower or upper face of the scene's box is a plane of symmetry; of an
+  /// axis with both the lower one counts.
   MirroredScene(const Scene& scene, std::array<bool, 3> at_low, std::array<bool, 3> at_high)
       : scene_(scene), low_(at_low), high_(at_high) {}
 

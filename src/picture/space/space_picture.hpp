@@ -40,11 +40,11 @@ struct SpacePicture {
   View view{};
   /// What the picture holds: along `right` and `up`, and from where rays start along `forward` [m].
   ViewWindow window{};
-  std::optional<SpacePlane> cut{};    ///< its viewer's side is taken away
-  std::string title{}, note{};        ///< heading on the left; on the right, e.g. the time
-  std::string label{};                ///< of the colour bar, with unit: "pressure [GPa]"
-  std::vector<SpaceArrow> arrows{};   ///< drawn on top
-  std::vector<SpaceMark> marks{};     ///< drawn on top
+  std::optional<SpacePlane> cut{};         ///< its viewer's side is taken away
+  std::string title{}, note{};             ///< heading on the left; on the right, e.g. the time
+  std::string label{};                     ///< of the colour bar, with unit: "pressure [GPa]"
+  std::vector<SpaceArrow> arrows{};        ///< drawn on top
+  std::vector<SpaceMark> marks{};          ///< drawn on top
   int max_width = 1200, max_height = 900;  ///< of the whole picture [pixels]
 };
 
@@ -61,8 +61,8 @@ struct SpaceRays {
 /// Follows the rays.
 SpaceRays rays_of(const SpacePicture& picture, const Scene& scene);
 
-/// Draws what the rays have met: surfaces shaded, faces of cuts in the plain colours of the key, dark lines at
-/// outlines and edges of bodies, the axes and a scale.
+/// Draws what the rays have met: surfaces shaded, faces of cuts in the plain colours of the key, dark lines
+/// at outlines and edges of bodies, the axes and a scale.
 Canvas space_picture(const SpacePicture& picture, const SpaceRays& rays, const Colours& colours);
 
 }  // namespace recoil

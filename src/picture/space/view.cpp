@@ -114,8 +114,7 @@ std::vector<Hit> cast_rays(const Scene& scene, const View& view, const Screen& s
                            const std::optional<SpacePlane>& cut) {
   require(screen.nx % 2 == 0 && screen.ny % 2 == 0, "rays of a view come two by two");
   const auto ray = [&](double i, double j) {
-    const Vec<3> origin =
-        screen.corner + view.right * (i * screen.pixel) - view.up * (j * screen.pixel);
+    const Vec<3> origin = screen.corner + view.right * (i * screen.pixel) - view.up * (j * screen.pixel);
     return cast(scene, origin, view.forward, cut);
   };
   parallel::Team team(static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U)));

@@ -40,8 +40,8 @@ struct Screen {
 };
 
 /// The hits of all rays, [i + nx * j]. The rays are followed by steps of the signed distance (J. C. Hart,
-/// "Sphere tracing", The Visual Computer 12, 1996) to the first change of its sign. Where four rays that are side
-/// by side meet one smooth surface, the ray in their middle stands for them.
+/// "Sphere tracing", The Visual Computer 12, 1996) to the first change of its sign. Where four rays that are
+/// side by side meet one smooth surface, the ray in their middle stands for them.
 /// @param cut what lies on its viewer's side is taken away.
 std::vector<Hit> cast_rays(const Scene& scene, const View& view, const Screen& screen,
                            const std::optional<SpacePlane>& cut);

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "picture/space/cell_lookup.hpp"
