@@ -136,6 +136,9 @@ class Run:
     def events(self):
         """events.csv: DataFrame with `time` [us], `event`, `bodies`, `place.AXIS` [mm] for each axis, and `detail`."""
         frame = read_table(self.folder / "events.csv")
+        if "place" not in frame:
+            return frame
+        # Runs of older versions have all coordinates in one column.
         places = [str(place).split() for place in frame["place"]]
         at, units = frame.columns.get_loc("place"), frame.attrs["units"]
         frame = frame.drop(columns="place")

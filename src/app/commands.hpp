@@ -52,7 +52,11 @@ struct PlotOptions {
   std::string file;                 // .png, .svg or .pdf
   std::string reference;            // CSV:COLUMN
   std::string at;                   // time of the field
-  std::string slice;                // "z=0mm"
+  std::string slice;                // "z=0mm", "x+y=0mm"
+  std::string view, up;             // of a shaded view: "-x" or "-50deg,25deg"; the axis that points up
+  std::string cut;                  // plane, whose viewer's side a shaded view leaves out
+  bool mirror = false;              // with what planes of symmetry reflect, in a shaded view
+  std::vector<std::string> bodies;  // of a shaded view; none: all
   std::vector<std::string> others;  // folders of runs whose same gauge is drawn, too
   std::string outline;              // CSV with time and two coordinates, drawn over a field
   std::string window;               // "r=0mm..9mm,z=0mm..12mm": the part of a field to draw

@@ -52,7 +52,19 @@ void add_quantity(CLI::App& c, std::vector<std::string>& quantities, const std::
 
 /// The part of a field that is drawn.
 void add_part(CLI::App& c, PlotOptions& plot) {
-  c.add_option("--slice", plot.slice, "plane of a 3d field, across any axis")->type_name("z=PLACE");
+  c.add_option("--slice", plot.slice, "plane of a 3d field, across an axis or oblique: x+y=0mm")
+      ->type_name("z=PLACE");
+  c.add_option("--view", plot.view,
+               "shaded view of a 3d run, along an axis (x, -y) or by azimuth and elevation: -50deg,25deg")
+      ->type_name("VIEW");
+  c.add_option("--up", plot.up, "axis that points up in that view (default: z)")->type_name("AXIS");
+  c.add_option("--cut", plot.cut, "plane that cuts bodies in that view: what lies before it is left out")
+      ->type_name("z=PLACE");
+  c.add_flag("--mirror", plot.mirror, "that view with what planes of symmetry reflect");
+  c.add_option("--body", plot.bodies, "body in that view (default: all); may be repeated")
+      ->type_name("BODY")
+      ->expected(1)
+      ->take_all();
   c.add_option("--window", plot.window, "part of a field to draw: r=0mm..9mm,z=0mm..12mm")
       ->type_name("WINDOW");
   c.add_option("--outline", plot.outline, "outline to draw over a field: a table of time and two coordinates")

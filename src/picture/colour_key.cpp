@@ -11,6 +11,8 @@ namespace recoil {
 namespace {
 
 constexpr double kBarWidth = 22, kBarGap = 24, kTick = 6, kLabelGap = 7, kTip = 18;
+constexpr int kColours = 1024;
+constexpr double kDecades = 6;  // of logarithmic colours, unless a range is given
 constexpr double kSwatch = 20, kRow = 30, kItemGap = 26;
 
 TextStyle ink_style() { return {.size = kPictureStyle.text, .colour = kPictureStyle.ink}; }
@@ -154,6 +156,28 @@ void draw_categories(Canvas& canvas, const ColourKey& key, const PixelRect& area
 }
 
 }  // namespace
+
+Colours colours_of(const std::vector<double>& values, const ColourChoice& choice) {
+  Colours c{colour_table(choice.map, kColours), {}, {}, choice.categories};
+  Range all, range;
+  for (const double v : values) all.include(v);
+  if (choice.range) {
+    range.include(choice.range->first, choice.log);
+    range.include(choice.range->second, choice.log);
+  } else {
+    for (const double v : values) range.include(v, choice.log);
+    if (choice.log && !range.empty()) range.lo = std::max(range.lo, range.hi * std::pow(10, -kDecades));
+  }
+  const bool centred = choice.map == ColourMap::diverging && !choice.log && !range.empty();
+  const double largest = std::max(std::abs(range.lo), std::abs(range.hi));
+  if (centred && !choice.range) range = {-largest, largest};
+  c.shown = c.mapped = axis_around(range, 0, choice.log);
+  if (centred && largest > 0) c.mapped = {-largest, largest};  // the pale middle means zero
+  const double slack = 1e-9 * (c.shown.hi - c.shown.lo);
+  c.below = all.lo < c.shown.lo - slack;
+  c.above = all.hi > c.shown.hi + slack;
+  return c;
+}
 
 Rgb Colours::at(double value) const {
   if (std::isnan(value)) return kPictureStyle.void_space;

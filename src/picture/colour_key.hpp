@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "picture/axis.hpp"
@@ -20,6 +22,18 @@ struct Colours {
   /// Background where the value is NaN or in no category.
   Rgb at(double value) const;
 };
+
+/// What is asked of the colours.
+struct ColourChoice {
+  ColourMap map = ColourMap::sequential;
+  std::optional<std::pair<double, double>> range{};  ///< none: of the values
+  bool log = false;                                  ///< values at or below 0 take the lowest colour
+  std::vector<Category> categories{};                ///< in place of all that, where there are any
+};
+
+/// The colours for these values; those that are not finite do not count. In a diverging map zero has the
+/// middle colour; logarithmic colours go over six decades at most, unless a range is given.
+Colours colours_of(const std::vector<double>& values, const ColourChoice& choice);
 
 /// The bar, or list of categories, that tells what the colours mean.
 struct ColourKey {

@@ -13,8 +13,6 @@ namespace recoil {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr int kColours = 1024;
-constexpr double kDecades = 6;  // of logarithmic colours, unless a range is given
 
 /// Everything decided before the first line.
 struct Layout {
@@ -22,28 +20,6 @@ struct Layout {
   Frame frame;
   ColourKey key;
 };
-
-Colours colours_of(const FieldPicture& p) {
-  Colours c{colour_table(p.map, kColours), {}, {}, p.categories};
-  Range values, range;
-  for (const double v : p.values) values.include(v);
-  if (p.range) {
-    range.include(p.range->first, p.log);
-    range.include(p.range->second, p.log);
-  } else {
-    for (const double v : p.values) range.include(v, p.log);
-    if (p.log && !range.empty()) range.lo = std::max(range.lo, range.hi * std::pow(10, -kDecades));
-  }
-  const bool centred = p.map == ColourMap::diverging && !p.log && !range.empty();
-  const double largest = std::max(std::abs(range.lo), std::abs(range.hi));
-  if (centred && !p.range) range = {-largest, largest};
-  c.shown = c.mapped = axis_around(range, 0, p.log);
-  if (centred && largest > 0) c.mapped = {-largest, largest};  // the pale middle means zero
-  const double slack = 1e-9 * (c.shown.hi - c.shown.lo);
-  c.below = values.lo < c.shown.lo - slack;
-  c.above = values.hi > c.shown.hi + slack;
-  return c;
-}
 
 /// Size of the field in the picture within the room left, at equal scales on both axes if asked for.
 Point2 fitted(const FieldPicture& p, double room_x, double room_y) {
@@ -62,7 +38,7 @@ void drop_minus(Ticks& ticks) {
 /// A key on the right, or below a field that is wide and low.
 void place_key(const FieldPicture& p, Layout& l) {
   const Frame& f = l.frame;
-  l.key = {colours_of(p), p.label,
+  l.key = {colours_of(p.values, {p.map, p.range, p.log, p.categories}), p.label,
            p.equal_aspect && (f.x.hi - f.x.lo) / p.x_scale > 2.2 * (f.y.hi - f.y.lo) / p.y_scale};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "picture/colour_map.hpp"
 #include "picture/outline.hpp"
 #include "picture/raster.hpp"
+#include "picture/space/scene.hpp"
 
 namespace recoil {
 
@@ -31,6 +33,9 @@ ChosenDump choose_dump(const std::filesystem::path& directory, std::optional<dou
 /// The plane across an axis of a 3-D domain at 0, or in the middle of a domain that does not hold 0.
 Cut middle_cut(const config::Domain& domain, std::size_t axis);
 
+/// Whether there is matter inside of a body of that signed distance: not in a rigid one.
+bool holds_matter(const UnstructuredGrid& grid, const std::vector<double>& phi);
+
 /// One field in the plane, on even cells: what a picture needs. In 1-d one row of cells.
 struct FieldPlane {
   PlaneArray values;                   ///< in the unit of the label; NaN: no matter
@@ -49,5 +54,14 @@ struct FieldPlane {
 /// @param cut through a 3-D grid.
 /// @throws InputError for a name that the dump does not hold.
 FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const RunUnits& units, Cut cut = {});
+
+/// The two directions that span an oblique plane, of length 1: the one across is horizontal where z is up.
+std::array<Vec<3>, 2> axes_of(const SpacePlane& plane);
+
+/// The same in an oblique plane through a 3-D grid, at the width of the smallest cells: each place has the
+/// value of the cell that holds it, level sets are linear between the middles of cells. Coordinates are along
+/// axes_of(), from the origin of space.
+FieldPlane field_plane(const VtkhdfFile& dump, const std::string& name, const RunUnits& units,
+                       const SpacePlane& plane);
 
 }  // namespace recoil

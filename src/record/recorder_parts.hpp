@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -108,13 +109,20 @@ std::vector<BodyMotion> motion_of(const State<Dim>& state, const Totals<Dim>& to
   return all;
 }
 
-inline void write_events(const std::filesystem::path& path, const std::vector<Event>& events) {
-  CsvWriter file(path, {"time [us]", "event", "bodies", "place [mm]", "detail"});
+/// @param axes of the run: a place has a column for each.
+inline void write_events(const std::filesystem::path& path, const std::vector<Event>& events,
+                         const std::vector<std::string>& axes) {
+  std::vector<std::string> columns{"time [us]", "event", "bodies"};
+  for (const std::string& axis : axes) columns.push_back("place." + axis + " [mm]");
+  columns.emplace_back("detail");
+  CsvWriter file(path, columns);
   for (const Event& e : events) {
-    std::string place;
-    for (const double x : e.place)
-      place += (place.empty() ? "" : " ") + format_number(std::round(x * 1e9) / 1e6 + 0.0);
-    file.row({e.time * 1e6, e.kind, e.bodies, place, e.detail});
+    std::vector<CsvCell> row{e.time * 1e6, e.kind, e.bodies};
+    for (std::size_t d = 0; d < axes.size(); ++d)
+      row.emplace_back(d < e.place.size() ? std::round(e.place[d] * 1e9) / 1e6 + 0.0
+                                          : std::numeric_limits<double>::quiet_NaN());
+    row.emplace_back(e.detail);
+    file.row(row);
   }
   file.flush();
 }
@@ -170,7 +178,7 @@ struct Recorder<Dim>::Parts {
   void open_tables(CsvMode mode) {
     if (!first()) return;
     history.emplace(directory / "history.csv", names, rigid, units, mode);
-    write_events(directory / "events.csv", events.events());
+    write_events(directory / "events.csv", events.events(), units.axes);
     events_written = events.events().size();
     fragments.open(directory / "fragments.csv", mode, fields.last());
   }
@@ -248,7 +256,7 @@ struct Recorder<Dim>::Parts {
   void save_events() {
     if (!first() || events.events().size() == events_written) return;
     events_written = events.events().size();
-    write_events(directory / "events.csv", events.events());
+    write_events(directory / "events.csv", events.events(), units.axes);
   }
 
   void dump_if_due(const State<Dim>& state) {

@@ -213,7 +213,10 @@ class Run(Program):
         self.assertEqual(rows[0][:2], ["time [us]", "velocity [m/s]"])
         self.assertGreater(max(float(row[1]) for row in rows[1:]), 160)
         with open(out / "events.csv", newline="") as file:
-            kinds = [row["event"] for row in csv.DictReader(file)]
+            rows = list(csv.DictReader(file))
+        kinds = [row["event"] for row in rows]
+        self.assertEqual(list(rows[0]), ["time [us]", "event", "bodies", "place.x [mm]", "detail"])
+        self.assertAlmostEqual(float(rows[0]["place.x [mm]"]), 0, delta=0.05)
         self.assertEqual(kinds[:2], ["contact", "opening"])
 
     def flyer_at(self, velocity):

@@ -65,6 +65,8 @@ class Plot(Program):
         self.expect(recoil("plot", out, "gauge.rear", "--width", "5"), 2, "--width")
         self.expect(recoil("plot", out, "history.flyer.kinetik"), 2, "flyer.kinetic")
         self.expect(recoil("plot", out, "pressure", "--along", "0mm,0mm:1mm,0mm"), 2, "need a field in the plane")
+        self.expect(recoil("plot", out, "pressure", "--view", "x"), 2, "need a 3d run")
+        self.expect(recoil("plot", out, "pressure", "--slice", "z=0mm"), 2, "--slice needs a 3d run")
 
     def picture(self, *words):
         """Draws; the size of the picture in bytes."""
@@ -98,6 +100,32 @@ class Plot(Program):
         for line, text in (("0mm,0mm", "is not a line"), ("0mm,0mm:0mm,0mm", "is a point"), ("0mm,0s:1mm,0mm", "time"),
                            ("50mm,50mm:60mm,50mm", "no matter along")):
             self.expect(recoil("plot", out, "velocity.x", "--along", line), 2, text)
+
+    def test_views_of_space(self):
+        out = self.folder / "out"
+        recoil("run", DATA / "cases" / "sphere_on_plate", "--end", "1 us", "--set", "mesh.finest=1.5mm",
+               "--set", "output.fields.every=1us", "--set", "output.report=false", "-o", out)  # misses expectations
+        small = ["--width", "500", "--height", "400"]
+        sizes = {}
+        for words in (["--view=-50deg,25deg"], ["--view", "x"], ["--view", "-y", "--up", "x"], ["--mirror"],
+                      ["--mirror", "--cut", "y=0mm"], ["--mirror", "--cut", "x+y=0mm"], ["--body", "sphere"],
+                      ["--slice", "x=0mm"], ["--slice", "x-y=0mm"], ["--along", "0mm,0mm,-5mm:0mm,0mm,8mm"]):
+            sizes[tuple(words)] = self.picture(out, "velocity.z", *words, *small)
+        self.assertEqual(len(set(sizes.values())), len(sizes), sizes)
+        self.expect(recoil("plot", out, "body", "--mirror", *small), 0, "body_1us_view.png")
+        svg = self.folder / "view.svg"
+        self.expect(recoil("plot", out, "velocity", "--view", "z", "--min", "1", "--log", *small, "-o", svg), 0)
+        self.assertIn("<image", svg.read_text())
+        self.expect(recoil("movie", out, "velocity.z", self.folder / "m.png", "--mirror", *small), 0, "2 pictures")
+        for words, text in ((["--view", "q"], "no direction of view"), (["--view", "10deg,100deg"], "-90 deg to 90"),
+                            (["--cut", "z"], "a plane is given as"), (["--cut", "z=1us"], "time"),
+                            (["--view", "x", "--cut", "z=0mm"], "from its edge"), (["--body", "plat"], "sphere, plate"),
+                            (["--view", "x", "--slice", "z=0mm"], "draw a plane"), (["--up", "w"], "--up is x, y or z"),
+                            (["--view", "x", "--cut", "x=-9mm"], "nothing is left"),
+                            (["--slice", "x+y=90mm"], "outside of all matter"),
+                            (["--along", "0mm,0mm,1mm:1mm,1mm"], "is not a line")):
+            self.expect(recoil("plot", out, "velocity.z", *words), 2, text)
+        self.expect(recoil("plot", out, "velocity.z", "--along", "9cm,0mm,0mm:9cm,1mm,0mm"), 2, "no matter along")
 
 
 if __name__ == "__main__":

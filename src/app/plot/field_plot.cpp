@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/load_case.hpp"
+#include "app/plot/colour_options.hpp"
 #include "app/plot/field_plotter.hpp"
 #include "app/plot/plot_file.hpp"
 #include "config/geometry.hpp"
@@ -31,9 +32,11 @@ int plot_field(const PlotOptions& o) {
   const ChosenDump chosen = choose_dump(
       o.folder, o.at.empty() ? std::nullopt : std::optional<double>(quantity_option(o.at, "s", "--at")));
   const Canvas canvas = FieldPlotter(o).draw(chosen);
-  return save_picture(
-      o, canvas,
-      fmt::format("{}_{:.4g}us{}", o.what.front(), chosen.time_s * 1e6, o.along.empty() ? "" : "_along"));
+  return save_picture(o, canvas,
+                      fmt::format("{}_{:.4g}us{}", o.what.front(), chosen.time_s * 1e6,
+                                  asks_for_view(o)  ? "_view"
+                                  : o.along.empty() ? ""
+                                                    : "_along"));
 }
 
 int plot_field_over_time(const PlotOptions& o) {

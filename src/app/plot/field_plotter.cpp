@@ -13,6 +13,9 @@
 #include <vector>
 
 #include "app/load_case.hpp"
+#include "app/plot/colour_options.hpp"
+#include "app/plot/line_out.hpp"
+#include "app/plot/plane_option.hpp"
 #include "app/plot/plot_file.hpp"
 #include "config/geometry.hpp"
 #include "config/units.hpp"
@@ -27,19 +30,24 @@ namespace recoil::app {
 
 namespace {
 
-/// The plane of "z=0mm"; without a text the one across z through the middle.
-Cut cut_of(const std::string& text, const config::Domain& domain) {
-  if (text.empty()) return middle_cut(domain, 2);
-  const std::size_t axis = std::string("xyz").find(text.front());
-  if (axis == std::string::npos || text.size() < 2 || text[1] != '=')
-    throw InputError(fmt::format("a plane is given as z=PLACE, not '{}'\n   = help: --slice z=0mm", text));
-  return {axis, quantity_option(text.substr(2), "m", "--slice")};
+/// The plane of --slice; without one the plane across z through the middle.
+SpacePlane slice_of(const std::string& text, const config::Domain& domain) {
+  if (!text.empty()) return read_plane(text, "--slice");
+  return {{{0, 0, 1}}, middle_cut(domain, 2).place};
 }
 
 /// The axes of the picture's plane.
-std::vector<std::string> axes_in(const config::Domain& domain, Cut cut) {
+std::vector<std::string> axes_in(const config::Domain& domain, const SpacePlane& slice) {
   std::vector<std::string> axes = config::axes_of(domain.geometry);
-  if (axes.size() == 3) axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(cut.axis));
+  if (axes.size() < 3) return axes;
+  if (const int axis = axis_across(slice); axis >= 0) {
+    axes.erase(axes.begin() + axis);
+    return axes;
+  }
+  const auto [across, up] = axes_of(slice);
+  axes.clear();
+  for (const Vec<3>& a : {across, up})
+    axes.push_back(fmt::format("along ({:.3g}, {:.3g}, {:.3g})", a[0] + 0.0, a[1] + 0.0, a[2] + 0.0));
   return axes;
 }
 
@@ -50,66 +58,6 @@ LineChart curve_of(const FieldPlane& plane, const std::string& title, const std:
     s.x.push_back(1e3 * (plane.values.x0 + (i + 0.5) * plane.values.dx));
     s.y.push_back(plane.values.at(i, 0));
   }
-  chart.series.push_back(std::move(s));
-  return chart;
-}
-
-/// Reads "0mm,1mm:9mm,1mm": two places [m].
-std::pair<Point2, Point2> read_line(const std::string& text) {
-  const auto place = [&text](const std::string& part) {
-    const std::size_t comma = part.find(',');
-    if (comma == std::string::npos)
-      throw InputError(fmt::format("'{}' is not a line\n   = help: --along 0mm,1mm:9mm,1mm", text));
-    return Point2{quantity_option(part.substr(0, comma), "m", "--along"),
-                  quantity_option(part.substr(comma + 1), "m", "--along")};
-  };
-  const std::size_t colon = std::min(text.find(':'), text.size());
-  const std::pair<Point2, Point2> line{place(text.substr(0, colon)),
-                                       place(colon < text.size() ? text.substr(colon + 1) : "")};
-  if (line.first == line.second)
-    throw InputError(fmt::format("'{}' is a point\n   = help: --along needs two places", text));
-  return line;
-}
-
-/// The value at (u, v), in cells from the lower left corner: linear between the four nearest centres of
-/// cells, of which those without matter do not count. NaN in a cell without matter.
-double value_at(const PlaneArray& a, double u, double v) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  if (!(u >= 0 && u < a.nx && v >= 0 && v < a.ny)) return nothing;
-  if (std::isnan(a.at(static_cast<int>(u), static_cast<int>(v)))) return nothing;
-  const int i = static_cast<int>(std::floor(u - 0.5)), j = static_cast<int>(std::floor(v - 0.5));
-  const double s = u - 0.5 - i, t = v - 0.5 - j;
-  double sum = 0, weight = 0;
-  for (const int q : {0, 1})
-    for (const int p : {0, 1}) {
-      const double near = a.at(std::clamp(i + p, 0, a.nx - 1), std::clamp(j + q, 0, a.ny - 1));
-      const double w = std::abs(1 - p - s) * std::abs(1 - q - t);
-      if (std::isnan(near)) continue;
-      sum += w * near, weight += w;
-    }
-  return sum / weight;
-}
-
-/// The field along a line, two values a cell, over the distance from its beginning.
-/// @param mirror whether x < 0 is the mirror image of x > 0.
-LineChart line_out(const FieldPlane& plane, const std::string& text, const std::string& title,
-                   const std::string& time, bool mirror) {
-  const auto [from, to] = read_line(text);
-  const PlaneArray& a = plane.values;
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const int n = static_cast<int>(std::clamp(2 * length / std::min(a.dx, a.dy), 2.0, 2e4));
-  Series s;
-  for (int k = 0; k <= n; ++k) {
-    const double t = 1.0 * k / n, x = from.x + t * (to.x - from.x), y = from.y + t * (to.y - from.y);
-    s.x.push_back(1e3 * t * length);
-    s.y.push_back(value_at(a, ((mirror ? std::abs(x) : x) - a.x0) / a.dx, (y - a.y0) / a.dy));
-  }
-  if (std::ranges::all_of(s.y, [](double v) { return std::isnan(v); }))
-    throw InputError(fmt::format("there is no matter along {}\n   = help: choose another --along", text));
-  const auto mm = [](double x) { return fmt::format("{}{:.4g}", x < 0 ? "\u2212" : "", 1e3 * std::abs(x)); };
-  const std::string note =
-      fmt::format("{}, ({}, {}) to ({}, {}) mm", time, mm(from.x), mm(from.y), mm(to.x), mm(to.y));
-  LineChart chart{title, note, "distance [mm]", plane.label};
   chart.series.push_back(std::move(s));
   return chart;
 }
@@ -206,22 +154,6 @@ void grow(std::optional<PlaneBox>& box, const PlaneArray& a) {
 
 }  // namespace
 
-/// Colours by the options; zero in the middle of them where values have both signs.
-void choose_colours(FieldPicture& picture, bool signed_values, const PlotOptions& o) {
-  if (!picture.categories.empty()) {
-    if (o.log || !o.lowest.empty() || !o.highest.empty())
-      throw InputError("--min, --max and --log do not apply to a field of names\n   = help: omit them");
-    return;
-  }
-  Range values;
-  for (const double v : picture.values) values.include(v, o.log);
-  picture.log = o.log;
-  picture.range = range_of(o, picture.label, values.lo, values.hi);
-  const double lo = picture.range ? picture.range->first : values.lo;
-  const double hi = picture.range ? picture.range->second : values.hi;
-  if (signed_values && !o.log && lo < 0 && (hi > 0 || !picture.range)) picture.map = ColourMap::diverging;
-}
-
 /// Size, heading and sharpness by the options.
 void choose_look(FieldPicture& picture, const PlotOptions& o) {
   if (o.width > 0) picture.max_width = o.width;
@@ -231,7 +163,14 @@ void choose_look(FieldPicture& picture, const PlotOptions& o) {
 }
 
 FieldPlotter::FieldPlotter(const PlotOptions& o)
-    : options_(o), case_(load_run(o.folder).contents), cut_(cut_of(o.slice, case_.domain)) {
+    : options_(o), case_(load_run(o.folder).contents), slice_(slice_of(o.slice, case_.domain)) {
+  if (asks_for_view(o)) view_.emplace(o, case_);
+  const bool in_space = case_.domain.geometry == config::Geometry::space;
+  if (!in_space && !o.slice.empty()) throw InputError("--slice needs a 3d run\n   = help: omit it");
+  if (is_line_in_space(o.along) && !in_space)
+    throw InputError("a line of three coordinates needs a 3d run\n   = help: --along 0mm,1mm:9mm,1mm");
+  if (is_line_in_space(o.along) && !(o.window.empty() && o.slice.empty()))
+    throw InputError("a line of three coordinates lies in no plane\n   = help: omit --slice and --window");
   is_line_ = case_.domain.geometry == config::Geometry::line;
   if (is_line_ && !(o.window.empty() && o.outline.empty() && o.along.empty()))
     throw InputError(
@@ -239,7 +178,12 @@ FieldPlotter::FieldPlotter(const PlotOptions& o)
 }
 
 FieldPlane FieldPlotter::whole_plane(const ChosenDump& dump) const {
-  return field_plane(read_vtkhdf(dump.path), options_.what.front(), run_units(case_.domain.geometry), cut_);
+  const VtkhdfFile file = read_vtkhdf(dump.path);
+  const RunUnits units = run_units(case_.domain.geometry);
+  const int axis = axis_across(slice_);
+  if (axis < 0) return field_plane(file, options_.what.front(), units, slice_);
+  const double place = slice_.normal[axis] < 0 ? -slice_.distance : slice_.distance;
+  return field_plane(file, options_.what.front(), units, Cut{static_cast<std::size_t>(axis), place});
 }
 
 FieldPlane FieldPlotter::plane_of(const ChosenDump& dump) const {
@@ -252,52 +196,53 @@ FieldPlane FieldPlotter::plane_of(const ChosenDump& dump) const {
     for (PlaneArray& phi : plane.level_sets) pad(phi, *box_, nothing);
   }
   if (options_.window.empty()) return plane;
-  const auto window = read_window(options_.window, axes_in(case_.domain, cut_));
+  const auto window = read_window(options_.window, axes_in(case_.domain, slice_));
   crop(plane.values, window);
   crop(plane.matter, window);
   for (PlaneArray& phi : plane.level_sets) crop(phi, window);
   return plane;
 }
 
-LineChart FieldPlotter::curve_in(const FieldPlane& plane, const std::string& note) const {
+LineChart FieldPlotter::curve_in(const ChosenDump& dump, const std::string& note) const {
+  if (is_line_in_space(options_.along))
+    return line_in_space({read_vtkhdf(dump.path), options_.what.front(), run_units(case_.domain.geometry)},
+                         options_.along, case_.title, note);
+  const FieldPlane plane = plane_of(dump);
   if (is_line_) return curve_of(plane, case_.title, note);
   const bool mirror = case_.domain.geometry == config::Geometry::axisymmetric;
-  return line_out(plane, options_.along, case_.title, note, mirror);
+  return line_in_plane(plane, options_.along, case_.title, note, mirror);
 }
 
 void FieldPlotter::hold_frame(const std::vector<ChosenDump>& dumps) {
-  std::optional<PlaneBox> box;
+  if (view_) return view_->hold_frame(dumps);
   Range values;
-  const auto take = [&](const FieldPlane& plane) {
+  if (draws_curves()) {
+    for (const ChosenDump& dump : dumps) {
+      if (is_line_) grow(box_, whole_plane(dump).matter);
+      for (const Series& s : curve_in(dump, "").series)
+        for (const double y : s.y) values.include(y, options_.log);
+    }
+    return hold_limits(options_, values);
+  }
+  std::optional<PlaneBox> box;
+  for (const ChosenDump& dump : dumps) grow(box, whole_plane(dump).matter);
+  box_ = box;
+  for (const ChosenDump& dump : dumps) {
+    const FieldPlane plane = plane_of(dump);
+    for (const double v : plane.values.values) values.include(v, options_.log);
     for (const Category& c : plane.categories)
       if (std::ranges::find(categories_, c.value, &Category::value) == categories_.end())
         categories_.push_back(c);
-    const LineChart chart = draws_curves() ? curve_in(plane, "") : LineChart{};
-    for (const Series& s : chart.series)
-      for (const double y : s.y) values.include(y, options_.log);
-    for (const double v : plane.values.values)
-      if (!draws_curves()) values.include(v, options_.log);
-  };
-  for (const ChosenDump& dump : dumps) {
-    const FieldPlane plane = whole_plane(dump);
-    grow(box, plane.matter);
-    if (options_.window.empty()) take(plane);
   }
-  box_ = box;
-  for (const ChosenDump& dump : dumps)
-    if (!options_.window.empty()) take(plane_of(dump));
   std::ranges::sort(categories_, {}, &Category::value);
-  if (!categories_.empty() || !(values.lo < values.hi)) return;
-  if (options_.log) values.lo = std::max(values.lo, 1e-6 * values.hi);
-  if (options_.lowest.empty()) options_.lowest = fmt::format("{:.17g}", values.lo);
-  if (options_.highest.empty()) options_.highest = fmt::format("{:.17g}", values.hi);
+  if (categories_.empty()) hold_limits(options_, values);
 }
 
 Canvas FieldPlotter::draw(const ChosenDump& dump) const {
-  const FieldPlane plane = plane_of(dump);
+  if (view_) return view_->draw(dump);
   const std::string note = fmt::format("{:.4g} µs", dump.time_s * 1e6);
-  if (!draws_curves()) return picture_of(plane, note);
-  LineChart chart = curve_in(plane, note);
+  if (!draws_curves()) return picture_of(plane_of(dump), note);
+  LineChart chart = curve_in(dump, note);
   if (box_ && is_line_) chart.x_range = {1e3 * box_->x0, 1e3 * box_->x1};
   return chart_canvas(options_, std::move(chart));
 }
@@ -317,7 +262,7 @@ Canvas FieldPlotter::picture_of(const FieldPlane& plane, const std::string& note
   picture.note = note;
   picture.label = plane.label;
   picture.categories = categories_.empty() ? plane.categories : categories_;
-  const auto axes = axes_in(c.domain, cut_);
+  const auto axes = axes_in(c.domain, slice_);
   picture.x_title = axes[0] + " [mm]";
   picture.y_title = axes[1] + " [mm]";
   picture.mirror = c.domain.geometry == config::Geometry::axisymmetric;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/plot/space_plotter.hpp"
 #include "config/case.hpp"
 #include "picture/canvas.hpp"
 #include "picture/colour_map.hpp"
@@ -17,8 +18,6 @@
 
 namespace recoil::app {
 
-/// Colours by the options; zero in the middle of them where values have both signs. @throws InputError.
-void choose_colours(FieldPicture& picture, bool signed_values, const PlotOptions& options);
 /// Size, heading and sharpness by the options.
 void choose_look(FieldPicture& picture, const PlotOptions& options);
 
@@ -28,11 +27,13 @@ struct PlaneBox {
 };
 
 /// Draws a field of a run's dumps as the options of `recoil plot` say: in the plane as colours with the
-/// bodies' outlines, in 1d or along a line as a curve.
+/// bodies' outlines or as a shaded view of space, in 1d or along a line as a curve.
 class FieldPlotter {
  public:
   /// @throws InputError for a folder without a run, or options that do not suit it.
   explicit FieldPlotter(const PlotOptions& options);
+  FieldPlotter(const FieldPlotter&) = delete;
+  FieldPlotter& operator=(const FieldPlotter&) = delete;
 
   /// From now on all pictures show the same part of space in the same colours: what these dumps need
   /// together, unless the options say it.
@@ -45,14 +46,15 @@ class FieldPlotter {
   FieldPlane whole_plane(const ChosenDump& dump) const;
   FieldPlane plane_of(const ChosenDump& dump) const;
   bool draws_curves() const { return is_line_ || !options_.along.empty(); }
-  LineChart curve_in(const FieldPlane& plane, const std::string& note) const;
+  LineChart curve_in(const ChosenDump& dump, const std::string& note) const;
   Canvas picture_of(const FieldPlane& plane, const std::string& note) const;
 
   PlotOptions options_;
   config::Case case_;
-  Cut cut_;
+  SpacePlane slice_;  // of a 3-D run
   bool is_line_ = false;
-  std::optional<PlaneBox> box_;  // that all pictures show; of a window in it only that
+  std::optional<SpacePlotter> view_;  // in place of all that follows
+  std::optional<PlaneBox> box_;       // that all pictures show; of a window in it only that
   std::vector<Category> categories_;
 };
 

@@ -64,18 +64,27 @@ Json gauges_json(const fs::path& run, const LoadedCase& loaded, Blocks& blocks) 
   return all;
 }
 
+/// The columns of the place in a row, "1.5 0"; empty where there is none. Runs of before have one such
+/// column.
+std::string place_text(const CsvTable& table, std::size_t row) {
+  std::string text;
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    if (table.columns[c].starts_with("place") && table.rows[row][c] != "nan")
+      text += (text.empty() ? "" : " ") + table.rows[row][c];
+  return text;
+}
+
 Json events_json(const fs::path& file) {
   Json all = Json::array();
   if (!fs::exists(file)) return all;
   const CsvTable table = read_csv(file);
   const std::vector<double> times = table.numbers("time");
-  const auto kinds = table.texts("event"), bodies = table.texts("bodies"), places = table.texts("place"),
-             details = table.texts("detail");
+  const auto kinds = table.texts("event"), bodies = table.texts("bodies"), details = table.texts("detail");
   for (std::size_t k = 0; k < times.size(); ++k)
     all.push_back({{"t", number(times[k])},
                    {"event", kinds[k]},
                    {"bodies", bodies[k]},
-                   {"place", places[k]},
+                   {"place", place_text(table, k)},
                    {"detail", details[k]}});
   return all;
 }

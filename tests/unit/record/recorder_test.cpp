@@ -118,6 +118,8 @@ TEST(Recorder, LeavesEverythingAndChecksIt) {
   EXPECT_EQ(events.texts("event").front(), "contact");
   EXPECT_EQ(events.texts("bodies").front(), "flyer-target");
   EXPECT_EQ(events.texts("event").at(1), "opening");
+  EXPECT_EQ(events.columns.at(3), "place.x [mm]");
+  EXPECT_NEAR(events.numbers("place.x").front(), 0, 0.05);
   EXPECT_TRUE(std::filesystem::exists(folder / "fields/small.hdf.series"));
   EXPECT_TRUE(std::filesystem::exists(folder / "fields/small_000003.hdf"));
   EXPECT_FALSE(std::filesystem::exists(folder / "fields/small_000004.hdf"));
