@@ -7,10 +7,10 @@ namespace recoil {
 
 /// What a table made of a material holds.
 struct TableExtent {
-  double least = 0.6, most = 1.6;     // densities, of that at rest; rest is one of them
-  int densities = 100;                // at equal steps
+  double least = 0.6, most = 1.6;        // densities, of that at rest; rest is one of them
+  int densities = 100;                   // at equal steps
   double coldest = 100, hottest = 5000;  // K
-  int temperatures = 20;              // at equal ratios
+  int temperatures = 20;                 // at equal ratios
 };
 
 /// Tabulates the equation of state and the temperature of a material (that of its energy): for tests, and for
