@@ -208,6 +208,26 @@ Entries<Body> keys_of_matter() {
            .when = is_free}};
 }
 
+/// The state of its matter at the start.
+Entries<Body> keys_of_state() {
+  return {
+      {.name = "pressure",
+       .member = &Body::pressure,
+       .unit = "Pa",
+       .optional = true,
+       .doc =
+           "at the start, uniform, without shear stress; of a gas measured from that at rest; without it 0",
+       .example = R"("1 GPa")"},
+      {.name = "temperature",
+       .member = &Body::temperature,
+       .unit = "K",
+       .positive = true,
+       .optional = true,
+       .doc = "at the start, uniform: density and energy are those of matter of this temperature at the "
+              "pressure of the start; without it the material's initial-temperature",
+       .example = R"("500 K")"}};
+}
+
 /// Where it is at the start, and how it moves.
 Entries<Body> keys_of_start() {
   return {
@@ -257,21 +277,6 @@ Entries<Body> keys_of_start() {
               "constant before the first and after the last",
        .example = R"([["0 us", { x = "0 m/s" }], ["2 us", { x = "100 m/s" }]])",
        .when = [](const Body& b) { return !b.velocity_history.empty(); }},
-      {.name = "pressure",
-       .member = &Body::pressure,
-       .unit = "Pa",
-       .optional = true,
-       .doc =
-           "at the start, uniform, without shear stress; of a gas measured from that at rest; without it 0",
-       .example = R"("1 GPa")"},
-      {.name = "temperature",
-       .member = &Body::temperature,
-       .unit = "K",
-       .positive = true,
-       .optional = true,
-       .doc = "at the start, uniform: density and energy are those of matter of this temperature at the "
-              "pressure of the start; without it the material's initial-temperature",
-       .example = R"("500 K")"},
       {.name = "detonation",
        .member = custom_detonation(),
        .doc = "lights an explosive, a material with an equation of state of kind \"jwl\"",
@@ -284,6 +289,7 @@ Entries<Body> keys_of_start() {
 Entries<Body> Body::keys() {
   Entries<Body> keys = keys_of_matter();
   for (auto& key : keys_of_start()) keys.push_back(std::move(key));
+  for (auto& key : keys_of_state()) keys.push_back(std::move(key));
   return keys;
 }
 

@@ -17,8 +17,9 @@ constexpr const char* cut_it =
 
 std::string g_per_cm3(double rho) { return fmt::format("{:.6g} g/cm3", rho * 1e-3); }
 
-/// Steffen's slopes of values y over x: a monotone cubic wherever the values are monotone.
-std::vector<double> steffen(const std::vector<double>& x, const std::vector<double>& y) {
+/// Steffen's slopes of values y over x: a monotone cubic wherever the values are monotone. Without a limit:
+/// those of parabolas through three neighbours, which keep their order where the values turn round.
+std::vector<double> steffen(const std::vector<double>& x, const std::vector<double>& y, bool limit = true) {
   const std::size_t n = x.size();
   std::vector<double> slope(n);
   const auto secant = [&](std::size_t k) { return (y[k + 1] - y[k]) / (x[k + 1] - x[k]); };
@@ -30,12 +31,17 @@ std::vector<double> steffen(const std::vector<double>& x, const std::vector<doub
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const double a = secant(k - 1), b = secant(k);
     const double mean = (a * width(k) + b * width(k - 1)) / (width(k) + width(k - 1));
+    if (!limit) {
+      slope[k] = mean;
+      continue;
+    }
     const double least = std::min({std::abs(a), std::abs(b), 0.5 * std::abs(mean)});
     slope[k] = a * b <= 0 ? 0.0 : std::copysign(2 * least, a);
   }
   const auto at_end = [&](std::size_t first, std::size_t next) {
     const double share = width(first) / (width(first) + width(next));
-    return limited(secant(first) * (1 + share) - secant(next) * share, secant(first));
+    const double parabola = secant(first) * (1 + share) - secant(next) * share;
+    return limit ? limited(parabola, secant(first)) : parabola;
   };
   slope[0] = at_end(0, 1);
   slope[n - 1] = at_end(n - 2, n - 3);
@@ -113,7 +119,8 @@ std::vector<double> row_between(const RawEosTable& raw, const std::vector<double
                                 double rho) {
   std::vector<double> row;
   for (std::size_t j = 0; j < raw.temperature.size(); ++j) {
-    const std::vector<double> y = column_of(raw, values, j, j > 0), s = steffen(raw.density, y);
+    const std::vector<double> y = column_of(raw, values, j, j > 0),
+                              s = steffen(raw.density, y, j > 0 || &values == &raw.pressure);
     const double part = cubic(raw.density[i], raw.density[i + 1], y[i], y[i + 1], s[i], s[i + 1], rho);
     row.push_back(part + (j > 0 ? row[j - 1] : 0.0));
   }
@@ -240,7 +247,9 @@ void EosTable::use(const RawEosTable& raw) {
   for (int what = 0; what < 2; ++what) {
     std::vector<double> slope(density_.size(), 0.0);
     for (std::size_t j = 0; j < n; ++j) {
-      const std::vector<double> more = steffen(density_, column_of(raw, *values[what], j, j > 0));
+      // The energy of an isotherm falls and rises again; what must not turn are pressures and differences.
+      const std::vector<double> more =
+          steffen(density_, column_of(raw, *values[what], j, j > 0), j > 0 || what == 1);
       for (std::size_t i = 0; i < density_.size(); ++i) {
         slope[i] += more[i];
         nodes_[i * n + j].value[what] = (*values[what])[i * n + j];

@@ -19,9 +19,10 @@ struct RawEosTable {
 
 /// Pressure and energy over density and temperature, interpolated so that energy and pressure rise with
 /// temperature everywhere if they do between the table's own states: monotone cubics in density (Steffen,
-/// Astron. Astrophys. 239 (1990) 443) for the lowest isotherm and for the difference of each isotherm to the
-/// next, straight lines of pressure over energy between isotherms. The inversion of e(rho, T) is closed.
-/// The state at rest, without pressure at the temperature of rest, is a point of the table, its energy zero.
+/// Astron. Astrophys. 239 (1990) 443) for the pressure of the lowest isotherm and for the difference of each
+/// isotherm to the next (its energy turns, and has a cubic without limits), straight lines of pressure over
+/// energy between isotherms. The inversion of e(rho, T) is closed. The state at rest, without pressure at the
+/// temperature of rest, is a point of the table, its energy zero.
 class EosTable {
  public:
   struct Limits {

@@ -50,7 +50,7 @@ inline std::vector<Tabular> of(const Tabular&) {
   Material m;
   m.thermal.specific_heat = 383.5;
   m.eos = MieGruneisen{8930, 3940, 1.49, 2.0};
-  return {tabulated(m, {.least = 0.6, .most = 1.9, .densities = 201})};
+  return {tabulated(m, {.least = 0.447, .most = 1.9, .densities = 301})};
 }
 
 inline std::vector<NoStrength> of(const NoStrength&) { return {{}}; }

@@ -99,7 +99,7 @@ TEST(EosTable, ChecksThermodynamics) {
   EXPECT_TRUE(has(fault_of(keep, {.least = 11000, .most = 11500}), "fewer than four"));
   const auto soft = [](RawEosTable& t) {  // the same pressure at all high densities
     for (std::size_t k = t.pressure.size() / 2; k < t.pressure.size(); ++k)
-      t.pressure[k] -= 1.2 * (t.density[k / 20] - 10300) * 2e7;
+      t.pressure[k] -= (t.density[k / 20] - 10300) * 6e7;
   };
   EXPECT_TRUE(has(fault_of(soft), "sound speed")) << fault_of(soft);
 }
@@ -162,7 +162,7 @@ TEST(EosTable, GoesOnBelowItsLeastDensity) {
   EXPECT_NEAR(eos.range.least, 0.5, 1e-9);
   EXPECT_NEAR(eos.rho0, 8930, 1);
   const TemperatureLaw a(whole.thermal, whole.eos), b(cut.thermal, cut.eos);
-  for (const double x : {0.97, 0.95, 0.9}) {
+  for (const double x : {0.97, 0.95, 0.92}) {
     const double rho = x * 8930, p = pressure(cut.eos, rho, b.isentrope(rho));
     EXPECT_NEAR(p / pressure(whole.eos, rho, a.isentrope(rho)), 1, 0.08) << x;
     EXPECT_GT(sound_speed_squared(cut.eos, rho, p), 0);
