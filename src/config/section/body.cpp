@@ -208,7 +208,7 @@ Entries<Body> keys_of_matter() {
            .when = is_free}};
 }
 
-/// The state of its matter at the start.
+/// The state of its matter at the start, and what lights it.
 Entries<Body> keys_of_state() {
   return {
       {.name = "pressure",
@@ -225,7 +225,12 @@ Entries<Body> keys_of_state() {
        .optional = true,
        .doc = "at the start, uniform: density and energy are those of matter of this temperature at the "
               "pressure of the start; without it the material's initial-temperature",
-       .example = R"("500 K")"}};
+       .example = R"("500 K")"},
+      {.name = "detonation",
+       .member = custom_detonation(),
+       .doc = "lights an explosive, a material with an equation of state of kind \"jwl\"",
+       .example = R"({ points = [{ x = "0 mm" }] })",
+       .when = [](const Body& b) { return !b.detonation.points.empty(); }}};
 }
 
 /// Where it is at the start, and how it moves.
@@ -276,12 +281,7 @@ Entries<Body> keys_of_start() {
        .doc = "of a rigid body, over time: pairs of a time and a velocity; straight lines between them, "
               "constant before the first and after the last",
        .example = R"([["0 us", { x = "0 m/s" }], ["2 us", { x = "100 m/s" }]])",
-       .when = [](const Body& b) { return !b.velocity_history.empty(); }},
-      {.name = "detonation",
-       .member = custom_detonation(),
-       .doc = "lights an explosive, a material with an equation of state of kind \"jwl\"",
-       .example = R"({ points = [{ x = "0 mm" }] })",
-       .when = [](const Body& b) { return !b.detonation.points.empty(); }}};
+       .when = [](const Body& b) { return !b.velocity_history.empty(); }}};
 }
 
 }  // namespace
