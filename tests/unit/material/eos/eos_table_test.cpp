@@ -137,12 +137,12 @@ TEST(EosTable, ConvergesToWhatItTabulates) {
       }
     if (before_p > 0) {
       EXPECT_LT(worst_p, before_p / 5) << n;
-      EXPECT_LT(worst_t, before_t / 4) << n;
+      EXPECT_LT(worst_t, std::max(before_t / 4, 1e-3)) << n;
     }
     before_p = worst_p, before_t = worst_t;
   }
   EXPECT_LT(before_p, 2e6);
-  EXPECT_LT(before_t, 0.1);
+  EXPECT_LT(before_t, 2e-3) << "K; the isentrope itself is tabulated to about that";
 }
 
 TEST(EosTable, HasTheHugoniotOfWhatItTabulates) {
