@@ -17,6 +17,7 @@
 #include "material/library.hpp"
 #include "material/lint.hpp"
 #include "material/ls_dyna.hpp"
+#include "material/tabulate.hpp"
 
 namespace recoil::app {
 
@@ -77,6 +78,26 @@ int lint_materials(const std::vector<std::string>& names) {
   fmt::print("{} material{}, {}\n", list.size(), list.size() == 1 ? "" : "s",
              found == 0 ? std::string("nothing to remark") : fmt::format("{} to look at", found));
   return certain > 0 ? exit_bad_input : 0;
+}
+
+int tabulate_material(const TableOptions& o) {
+  TableExtent extent;
+  extent.densities = o.densities;
+  extent.temperatures = o.temperatures;
+  if (o.densities < 10 || o.temperatures < 3 || o.densities > 10000 || o.temperatures > 1000)
+    throw InputError("a table has 10 to 10000 densities and 3 to 1000 temperatures");
+  const Material m = named_material(o.name);
+  if (barotropic(m.eos) || is_fluid(m.eos))
+    throw InputError(fmt::format("{}: only solids whose pressure depends on energy are tabulated", o.name));
+  if (m.thermal.rule != Thermal::Rule::energy)
+    throw InputError(
+        fmt::format("{}: its temperature is that of plastic work alone\n   = help: take a material "
+                    "with thermal.temperature = \"energy\"",
+                    o.name));
+  std::ofstream file(o.file);
+  file << to_text(tabulate(m, extent), "made by `recoil material table` from " + o.name + ", cv constant");
+  if (!file) throw EnvironmentError(fmt::format("cannot write {}", o.file));
+  return 0;
 }
 
 int import_material(const ImportOptions& o) {

@@ -139,6 +139,13 @@ struct ImportOptions {
 };
 int import_material(const ImportOptions& options);
 
+struct TableOptions {
+  std::string name;
+  std::string file;
+  int densities = 100, temperatures = 20;
+};
+int tabulate_material(const TableOptions& options);
+
 struct HugoniotOptions {
   std::string name;
   std::string to;    // largest velocity of the matter; empty: 3 km/s, or what the material reaches

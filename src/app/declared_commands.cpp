@@ -293,6 +293,15 @@ void Commands::add_material() {
   i->add_option("--units", import_from.units, "of its numbers: SI, g-mm-ms, g-cm-us, kg-mm-ms or t-mm-s")
       ->required()
       ->type_name("UNITS");
+  CLI::App* t =
+      command(*m, "table", "write the equation of state of a material as a table in SESAME's text form",
+              [this] { return tabulate_material(table); });
+  t->add_option("name", table.name, "e.g. copper/ofhc-johnson-cook")->required()->type_name("MATERIAL");
+  t->add_option("-o,--output", table.file, "the table")->required()->type_name("FILE");
+  t->add_option("--densities", table.densities, "how many, from 0.6 to 1.6 of that at rest (default: 100)")
+      ->type_name("N");
+  t->add_option("--temperatures", table.temperatures, "how many, from 100 to 5000 K (default: 20)")
+      ->type_name("N");
   CLI::App* h = command(*m, "hugoniot", "print the states behind shocks, and draw them",
                         [this] { return print_hugoniot(hugoniot); });
   h->add_option("name", hugoniot.name, "e.g. copper/seed")->required()->type_name("MATERIAL");

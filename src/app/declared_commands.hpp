@@ -27,6 +27,7 @@ struct Commands {
   std::string material, key, cited, shell;
   std::vector<std::string> materials;
   ImportOptions import_from;
+  TableOptions table;
   HugoniotOptions hugoniot;
   MatchOptions match;
   bool markdown = false;

@@ -4,6 +4,7 @@
 
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include "app/data_folder.hpp"
 #include "config/read_case.hpp"
@@ -36,6 +37,22 @@ void add_expected_file(LoadedCase& loaded) {
   auto& all = loaded.contents.expect;
   config::check_expected_names(more, loaded.contents.bodies, loaded.contents.gauges, loaded.found);
   all.insert(all.end(), more.begin(), more.end());
+}
+
+/// A run keeps a copy of each file that its case, or a material of it, is read from.
+void add_table(LoadedCase& loaded, const Material& material, const config::Place& place) {
+  const auto* table = std::get_if<Tabular>(&material.eos);
+  if (!table) return;
+  std::error_code error;
+  for (const fs::path& other : loaded.contents.files) {
+    if (other.filename() != table->path.filename()) continue;
+    if (!fs::equivalent(other, table->path, error))
+      loaded.found.error(place,
+                         fmt::format("two files of this case are called {}", other.filename().string()),
+                         "rename one: a run keeps a copy of each in its folder");
+    return;
+  }
+  loaded.contents.files.push_back(table->path);
 }
 
 }  // namespace
@@ -76,6 +93,7 @@ LoadedCase load_case(const std::string& word, const std::vector<std::string>& ov
     if (!body.rigid && !body.material.empty()) {
       auto material = find_material(body.material, &loaded.document, material_folders(beside), loaded.found,
                                     body.material_place);
+      if (material) add_table(loaded, *material, body.material_place);
       if (material) none = std::move(*material);
     }
     loaded.materials.push_back(std::move(none));

@@ -95,7 +95,7 @@ int FailingCell<Dim>::grow(double dt, double strain_growth) {
         1.0, kept + std::visit([&](const auto& m) { return m.growth(point); }, body_.material.damage));
   }
   at(C::damage) = after * mass;
-  if (after >= failed_damage) bear_less(point.pressure);
+  if (after >= failed_damage && !damage_dependent(body_.material.strength)) bear_less(point.pressure);
   return clamped;
 }
 

@@ -21,7 +21,7 @@ template <int Dim, class EosModel>
                                                     double volume) {
   using C = Components<Dim>;
   const double rho = q[C::rho] / volume;
-  constexpr DensityRange range = density_range<EosModel>();
+  const DensityRange range = density_range(eos);
   const bool failed = (q[C::damage] > 0) & (q[C::damage] >= failed_damage * q[C::rho]);
   const bool possible = (rho > range.least * eos.rho0) & (rho < range.most * eos.rho0);
   double momentum2 = 0;

@@ -34,6 +34,7 @@ double return_cell(const StrengthModel& strength, const Body<Dim>& body, double*
     before.pressure = pressure(body.material.eos, rho, internal);
     before.compression = rho / density(body.material);
   }
+  if constexpr (damage_dependent<StrengthModel>()) before.damage = q[C::damage * n] / mass;
   const double trial = std::sqrt(trial2);
   const double increment = plastic_increment(strength, trial, before, dt);
   if (!(increment > 0)) return 0;

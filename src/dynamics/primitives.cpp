@@ -98,7 +98,7 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
   BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
-  constexpr DensityRange range = density_range<EosModel>();
+  const DensityRange range = density_range(eos);
   if (!b.near_surface) {
     Box<Dim> rows = cells;
     rows.hi[0] = rows.lo[0] + 1;

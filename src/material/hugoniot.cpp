@@ -39,6 +39,7 @@ double rising_root(const F& f, double lo, double hi) {
 /// At the rates of a model's own constants: the rate of a shock is not known.
 Strength without_rate(Strength strength) {
   if (auto* johnson_cook = std::get_if<JohnsonCook>(&strength)) johnson_cook->c = 0;
+  if (auto* ceramic = std::get_if<JohnsonHolmquist>(&strength)) ceramic->c = 0;
   return strength;
 }
 

@@ -94,15 +94,25 @@ void read_model(const Node& table, const char* doc, Variant& into, Diagnostics& 
     const std::vector<Key> keys = keys_of_model<decltype(model)>();
     const Record record = read_record(rest, keys, out);
     take(model, record);
+    if constexpr (requires { model.path; })  // of a file: seen from the folder of the one that names it
+      if (record.good("file"))
+        model.path = std::filesystem::path(record.place("file").file).parent_path() / model.file;
     if constexpr (requires { model.problem(); })
       if (const char* problem = model.problem()) out.error(table.key_place, problem);
     into = model;
   });
 }
 
-Thermal read_thermal(const Node& table, Diagnostics& out) {
-  const std::vector<Key> keys = thermal_keys();
+Thermal read_thermal(const Node& table, bool tabular, Diagnostics& out) {
+  std::vector<Key> keys = thermal_keys();
+  for (Key& key : keys) key.required = key.required && !tabular;
   const Record record = read_record(table, keys, out);
+  if (tabular && record.has("specific-heat"))
+    out.error(record.key_place("specific-heat"), "the table of the equation of state has the specific heat",
+              "leave specific-heat out");
+  if (tabular && record.text("temperature") == "plastic-work")
+    out.error(record.place("temperature"), "the table of the equation of state has the temperature",
+              "leave temperature out, or say \"energy\"");
   Thermal thermal;
   take(thermal, record);
   if (record.text("temperature") == "plastic-work") thermal.rule = Thermal::Rule::plastic_work;
@@ -111,6 +121,33 @@ Thermal read_thermal(const Node& table, Diagnostics& out) {
               "taylor-quinney must be 1 where the temperature follows from the internal energy",
               "leave it out, or choose temperature = \"plastic-work\"");
   return thermal;
+}
+
+/// Reads the file of a tabular equation of state, whose state at rest has the initial temperature.
+void read_table(const Node& eos, Tabular& model, Thermal& thermal, Diagnostics& out) {
+  const Node* file = eos.find("file");
+  EosTableFile read = read_eos_table(model.path);
+  if (!read.problem.empty()) return out.error(file->place, read.problem, read.help);
+  std::string help;
+  const double t = thermal.initial_temperature;
+  if (std::string problem = model.take(read.table, t, help); !problem.empty())
+    return out.error(file->place, model.path.string() + ": " + problem, help);
+  constexpr double step = 1;  // K
+  thermal.specific_heat =
+      (model.table->energy_at(model.rho0, t + step) - model.table->energy_at(model.rho0, t)) / step;
+}
+
+/// The damage of Johnson and Holmquist has constants in common with their strength.
+void join_ceramic(const Record& record, Material& material, Diagnostics& out) {
+  auto* damage = std::get_if<JohnsonHolmquistDamage>(&material.damage);
+  if (!damage) return;
+  const auto* strength = std::get_if<JohnsonHolmquist>(&material.strength);
+  if (!strength)
+    return out.error(record.node("damage")->key_place,
+                     "damage of kind \"johnson-holmquist\" needs strength of the same kind",
+                     "strength.kind = \"johnson-holmquist\", or another damage model");
+  damage->tension = strength->tension;
+  damage->hel_pressure = strength->hel_pressure;
 }
 
 /// A table of constants without a kind.
@@ -211,9 +248,21 @@ std::optional<Node> table_of(const std::string& name, Search& search, const Plac
   return read_document(file.string(), search.out).root;
 }
 
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
 template <class Model>
 std::string lines_of(const Model& model) {
   std::string text;
+  // A file is kept beside what is written.
+  if constexpr (requires { model.path; })
+    text += "file = " + quoted(std::filesystem::path(model.file).filename().string()) + "\n";
   for (const auto& p : Model::parameters()) {
     const double value = model.*p.member;
     if (!std::isnan(value)) text += std::string(p.name) + " = " + written(p, value) + "\n";
@@ -226,15 +275,6 @@ std::string model_lines(const Variant& variant) {
   return std::visit(
       [](const auto& model) { return "kind = \"" + std::string(model.kind) + "\"\n" + lines_of(model); },
       variant);
-}
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "\"";
 }
 
 template <class Variant>
@@ -281,8 +321,13 @@ std::optional<Material> read_material(const std::string& name, const Node& table
   material.doubt = record.text("doubt");
   if (record.good("eos")) read_model(*record.node("eos"), eos_doc, material.eos, out);
   if (record.good("strength")) read_model(*record.node("strength"), strength_doc, material.strength, out);
-  if (record.good("thermal")) material.thermal = read_thermal(*record.node("thermal"), out);
+  auto* tabular = std::get_if<Tabular>(&material.eos);
+  if (record.good("thermal"))
+    material.thermal = read_thermal(*record.node("thermal"), tabular != nullptr, out);
+  if (tabular && out.error_count() == errors)
+    read_table(*record.node("eos"), *tabular, material.thermal, out);
   if (record.good("damage")) read_model(*record.node("damage"), damage_doc, material.damage, out);
+  join_ceramic(record, material, out);
   if (record.good("failed")) material.failed = read_constants<FailedMatter>(*record.node("failed"), out);
   if (record.good("facts")) material.facts = read_constants<Facts>(*record.node("facts"), out);
   if (is_fluid(material.eos) && has_strength(material.strength))
@@ -328,7 +373,9 @@ std::string to_toml(const Material& m, const std::string& table) {
   }
   const bool by_energy = m.thermal.rule == Thermal::Rule::energy;
   text += "\n[" + prefix + "thermal]\ntemperature = " + (by_energy ? "\"energy\"\n" : "\"plastic-work\"\n");
-  text += lines_of(m.thermal);
+  Thermal thermal = m.thermal;
+  if (std::holds_alternative<Tabular>(m.eos)) thermal.specific_heat = unset;
+  text += lines_of(thermal);
   const std::string facts = lines_of(m.facts);
   if (!facts.empty()) text += "\n[" + prefix + "facts]\n" + facts;
   return text;

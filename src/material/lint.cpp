@@ -119,6 +119,8 @@ void check_gamma0(double gamma0, const char* key, Findings& out) {
 }
 
 void check_eos(const Material& /*m*/, const LinearEos& /*eos*/, Findings& /*out*/) {}
+void check_eos(const Material& /*m*/, const PolynomialEos& /*eos*/, Findings& /*out*/) {}
+void check_eos(const Material& /*m*/, const Tabular& /*eos*/, Findings& /*out*/) {}
 
 void check_eos(const Material& m, const MieGruneisen& eos, Findings& out) {
   check_slope(m, eos.s, "eos.s", out);

@@ -48,6 +48,12 @@ Key key_of(const Parameter<Model>& p, bool required) {
 template <class Model>
 std::vector<Key> keys_of_model(bool may_require = true) {
   std::vector<Key> keys;
+  if constexpr (requires { Model::texts(); })
+    for (const auto& t : Model::texts()) {
+      Key key{.name = t.name, .type = Key::Type::text, .doc = t.doc, .example = t.example};
+      key.required = true;
+      keys.push_back(std::move(key));
+    }
   for (const auto& p : Model::parameters()) keys.push_back(key_of(p, may_require && p.required()));
   return keys;
 }
@@ -56,6 +62,9 @@ template <class Model>
 void take(Model& model, const Record& record) {
   for (const auto& p : Model::parameters())
     if (record.good(p.name)) model.*p.member = record.number(p.name);
+  if constexpr (requires { Model::texts(); })
+    for (const auto& t : Model::texts())
+      if (record.good(t.name)) model.*t.member = record.text(t.name);
 }
 
 /// Calls f(model) with a default-constructed model of each kind in the list.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 
 namespace recoil {
 
@@ -22,6 +23,15 @@ struct Parameter {
 
   constexpr double fallback() const { return Model{}.*member; }
   constexpr bool required() const { return fallback() != fallback(); }
+};
+
+/// A text that a model needs, such as the name of a file: always required.
+template <class Model>
+struct TextParameter {
+  const char* name;
+  std::string Model::*member;
+  const char* doc;
+  const char* example;
 };
 
 }  // namespace recoil

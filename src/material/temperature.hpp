@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -48,6 +49,7 @@ inline double distortion_energy(double equivalent_stress_squared, double shear_m
 /// internal energy without that of elastic distortion [J/kg].
 ///   energy rule: T = T_s(rho) + (e - e_s(rho))/c_v,  d ln T_s/d rho = Gamma/rho,  d e_s/d rho = p/rho^2
 ///   Mie-Grueneisen: T_s = T0 exp(Gamma0 (1 - rho0/rho)); linear: T_s = T0; the others: tabulated as e_s
+/// A tabular equation of state has the temperature itself: T(rho, e) of its table, on the isentrope as well.
 /// Exact for a constant c_v where Gamma depends on density alone: for all but Tillotson's, whose Gamma falls
 /// with energy.
 class TemperatureLaw {
@@ -65,11 +67,13 @@ class TemperatureLaw {
 
   /// That of the energy rule, whichever rule the material has.
   double by_energy(double rho, double e) const {
+    if (own_) return own_->temperature(rho, e);
     return on_isentrope(rho) + (e - isentrope(rho)) / thermal_.specific_heat;
   }
 
   /// Temperature [K] on the isentrope through rest.
   double on_isentrope(double rho) const {
+    if (own_) return own_->temperature(rho, isentrope(rho));
     if (!growth_.empty()) return thermal_.initial_temperature * std::exp(interpolated(growth_, rho));
     return thermal_.initial_temperature * std::exp(gamma0_ * (1 - rho0_ / rho));
   }
@@ -98,14 +102,19 @@ class TemperatureLaw {
     fill(eos);
   }
   void tabulate(const LinearEos& eos) { fill(eos); }  // gamma0_ = 0: the isentrope stays at T0
+  void tabulate(const PolynomialEos& eos) { fill(eos); }
+  void tabulate(const Tabular& eos) {
+    own_ = eos.table;
+    fill(eos);
+  }
 
   /// Integrates de/drho = p/rho^2 from rest both ways by the classical Runge-Kutta rule: from 0.4 rho0, or
   /// the least density that the material has, to the largest admissible one, at most 4 rho0 (a gas: 10).
   template <class Model>
   void fill(const Model& eos) {
-    constexpr DensityRange range = density_range<Model>();
-    constexpr double part_below = 1 - std::min(0.4, 0.8 * range.least);
-    constexpr int below = static_cast<int>(part_below / 3e-4 + 0.5);  // NOLINT: no lround at compile time
+    const DensityRange range = density_range(eos);
+    const double part_below = 1 - std::min(0.4, 0.8 * range.least);
+    const int below = static_cast<int>(std::lround(part_below / 3e-4));
     rho0_ = eos.rho0;
     spacing_ = part_below * rho0_ / below;
     lowest_ = rho0_ - below * spacing_;
@@ -154,6 +163,7 @@ class TemperatureLaw {
   int rest_ = 0;                         // place of rest in the table
   std::vector<double> table_{0.0, 0.0};  // J/kg
   std::vector<double> growth_;           // ln(T_s/T0); empty: by gamma0_
+  std::shared_ptr<const EosTable> own_;  // a table that has the temperature; null: none
 };
 
 }  // namespace recoil

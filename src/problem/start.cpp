@@ -16,6 +16,7 @@
 #include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "levelset/transport.hpp"
+#include "material/starting_state.hpp"
 #include "problem/shape.hpp"
 
 namespace recoil {
@@ -68,12 +69,12 @@ Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x) {
 
 template <int Dim>
 void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells, const config::Body& from,
-                const std::function<double(const Vec<Dim>&)>& distance, const Material& material,
+                const std::function<double(const Vec<Dim>&)>& distance, const StartingState& state,
                 BodyBlock<Dim>& b) {
   using C = Components<Dim>;
   const Box<Dim> layout = grid.layout();
   const auto n = static_cast<std::size_t>(layout.size());
-  const double rho = density(material);
+  const double rho = state.density;
   for_each(cells, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     const Vec<Dim> x = grid.centre(i);
@@ -88,7 +89,8 @@ void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells, const config::Body
     const Vec<Dim> u = velocity_at(from, x);
     b.contents[k] = v * rho;
     for (std::size_t d = 0; d < Dim; ++d) b.contents[(C::u + d) * n + k] = v * rho * u[static_cast<int>(d)];
-    b.contents[C::energy * n + k] = v * rho * 0.5 * dot(u, u);
+    b.contents[C::energy * n + k] = v * rho * (0.5 * dot(u, u) + state.energy);
+    b.contents[C::temperature_rise * n + k] = v * rho * state.heat;
   });
 }
 
@@ -98,6 +100,9 @@ void place_body(State<Dim>& state, int m, const config::Body& from,
   Body<Dim>& body = state.bodies[m];
   const double far = far_cells * state.grid().dx, band = band_cells * state.grid().dx;
   const Box<Dim> layout = state.grid().layout();
+  const StartingState matter =
+      body.rigid ? StartingState{}
+                 : state_at_start(body.material, from.pressure, from.temperature, from.name);
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
     const Grid<Dim>& grid = state.grid(slot);
     const Box<Dim> cells = state.mesh.block(slot).cells;
@@ -114,7 +119,7 @@ void place_body(State<Dim>& state, int m, const config::Body& from,
       b.phi[layout.at(i - cells.lo)] = std::clamp(distance(grid.centre(i)), -far, far);
     });
     b.phi_midstep = b.phi;
-    if (!body.rigid) fill_block(grid, cells, from, distance, body.material, b);
+    if (!body.rigid) fill_block(grid, cells, from, distance, matter, b);
   }
 }
 

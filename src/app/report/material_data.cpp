@@ -17,6 +17,9 @@ namespace {
 template <class Model>
 Json table_of(const char* name, const char* kind, const Model& model) {
   Json j = {{"name", name}, {"kind", kind}, {"constants", Json::array()}};
+  if constexpr (requires { Model::texts(); })
+    for (const auto& t : Model::texts())
+      j["constants"].push_back({{"name", t.name}, {"value", model.*t.member}, {"unit", ""}, {"doc", t.doc}});
   for (const auto& p : Model::parameters()) {
     const double value = model.*p.member;
     if (std::isnan(value)) continue;

@@ -156,6 +156,13 @@ void check_radial(Body& body, const TableReading& reading) {
                    "e.g. radial-centre = { x = \"0 mm\" }");
 }
 
+void check_state(const Body& body, const TableReading& reading) {
+  for (const char* key : {"pressure", "temperature"})
+    if (body.rigid && reading.has(key))
+      reading.refuse(key, fmt::format("a rigid body has no {}", key),
+                     "remove it, or give the body a material");
+}
+
 bool turns(const Body& b) { return b.spin != Vector{}; }
 bool is_free(const Body& b) { return b.mass > 0; }
 
@@ -199,6 +206,31 @@ Entries<Body> keys_of_matter() {
            .doc = "of a free rigid body that can turn",
            .example = R"({ x = "1 mm" })",
            .when = is_free}};
+}
+
+/// The state of its matter at the start, and what lights it.
+Entries<Body> keys_of_state() {
+  return {
+      {.name = "pressure",
+       .member = &Body::pressure,
+       .unit = "Pa",
+       .optional = true,
+       .doc =
+           "at the start, uniform, without shear stress; of a gas measured from that at rest; without it 0",
+       .example = R"("1 GPa")"},
+      {.name = "temperature",
+       .member = &Body::temperature,
+       .unit = "K",
+       .positive = true,
+       .optional = true,
+       .doc = "at the start, uniform: density and energy are those of matter of this temperature at the "
+              "pressure of the start; without it the material's initial-temperature",
+       .example = R"("500 K")"},
+      {.name = "detonation",
+       .member = custom_detonation(),
+       .doc = "lights an explosive, a material with an equation of state of kind \"jwl\"",
+       .example = R"({ points = [{ x = "0 mm" }] })",
+       .when = [](const Body& b) { return !b.detonation.points.empty(); }}};
 }
 
 /// Where it is at the start, and how it moves.
@@ -249,12 +281,7 @@ Entries<Body> keys_of_start() {
        .doc = "of a rigid body, over time: pairs of a time and a velocity; straight lines between them, "
               "constant before the first and after the last",
        .example = R"([["0 us", { x = "0 m/s" }], ["2 us", { x = "100 m/s" }]])",
-       .when = [](const Body& b) { return !b.velocity_history.empty(); }},
-      {.name = "detonation",
-       .member = custom_detonation(),
-       .doc = "lights an explosive, a material with an equation of state of kind \"jwl\"",
-       .example = R"({ points = [{ x = "0 mm" }] })",
-       .when = [](const Body& b) { return !b.detonation.points.empty(); }}};
+       .when = [](const Body& b) { return !b.velocity_history.empty(); }}};
 }
 
 }  // namespace
@@ -262,6 +289,7 @@ Entries<Body> keys_of_start() {
 Entries<Body> Body::keys() {
   Entries<Body> keys = keys_of_matter();
   for (auto& key : keys_of_start()) keys.push_back(std::move(key));
+  for (auto& key : keys_of_state()) keys.push_back(std::move(key));
   return keys;
 }
 
@@ -271,6 +299,7 @@ void Body::check(const TableReading& reading) {
   check_spin(*this, reading);
   check_radial(*this, reading);
   check_history(*this, reading);
+  check_state(*this, reading);
   if (is_free(*this)) spin_centre = centre_of_mass;
 }
 

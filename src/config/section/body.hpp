@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct Body {
   bool radial_from_axis = false;                // away from the axis of an axisymmetric domain instead
   std::vector<TimedVelocity> velocity_history;  // of a rigid body; empty: it keeps its velocity
   Detonation detonation;
+  std::optional<double> pressure;     // Pa, at the start; none: 0
+  std::optional<double> temperature;  // K, at the start; none: that of the material
   Place place = {}, material_place = {};
 
   static constexpr const char* doc =

@@ -10,9 +10,9 @@ struct DensityRange {
 };
 
 template <class Model>
-constexpr DensityRange density_range() {
-  if constexpr (requires { Model::range; })
-    return Model::range;
+constexpr DensityRange density_range(const Model& model) {
+  if constexpr (requires { model.range; })
+    return model.range;
   else
     return {};
 }

@@ -8,13 +8,16 @@
 #include "material/eos/linear.hpp"
 #include "material/eos/mie_gruneisen.hpp"
 #include "material/eos/mie_gruneisen_cubic.hpp"
+#include "material/eos/polynomial.hpp"
+#include "material/eos/tabular.hpp"
 #include "material/eos/tillotson.hpp"
 
 namespace recoil {
 
 /// Every equation of state, in the order that help and schema show. Adding one: a header beside
 /// these, its name here; the generic tests then cover it.
-using Eos = std::variant<MieGruneisen, LinearEos, MieGruneisenCubic, Tillotson, IdealGas, Jwl>;
+using Eos = std::variant<MieGruneisen, LinearEos, MieGruneisenCubic, Tillotson, IdealGas, Jwl, PolynomialEos,
+                         Tabular>;
 
 /// Density at rest [kg/m3].
 inline double density(const Eos& eos) {
@@ -49,7 +52,7 @@ inline double largest_density(const Eos& eos) {
 
 /// Densities, of that at rest, within which states are taken as they are.
 inline DensityRange density_range(const Eos& eos) {
-  return std::visit([]<class Model>(const Model&) { return density_range<Model>(); }, eos);
+  return std::visit([](const auto& model) { return density_range(model); }, eos);
 }
 
 /// Whether matter holds together under tension at all. A gas does not: what is below its pressure at rest is

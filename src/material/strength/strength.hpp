@@ -5,6 +5,7 @@
 #include "material/strength/drucker_prager.hpp"
 #include "material/strength/elastic.hpp"
 #include "material/strength/johnson_cook.hpp"
+#include "material/strength/johnson_holmquist.hpp"
 #include "material/strength/linear_hardening.hpp"
 #include "material/strength/lundborg.hpp"
 #include "material/strength/none.hpp"
@@ -20,7 +21,7 @@ namespace recoil {
 /// its name here; the generic tests then cover it.
 using Strength =
     std::variant<NoStrength, Elastic, PerfectlyPlastic, LinearHardening, JohnsonCook, ZerilliArmstrong,
-                 SteinbergGuinan, PrestonTonksWallace, DruckerPrager, Lundborg>;
+                 SteinbergGuinan, PrestonTonksWallace, DruckerPrager, Lundborg, JohnsonHolmquist>;
 
 /// Shear modulus [Pa]; 0 where the material is a fluid.
 inline double shear_modulus(const Strength& strength) {
@@ -45,6 +46,18 @@ constexpr bool pressure_dependent() {
 }
 inline bool pressure_dependent(const Strength& strength) {
   return std::visit([]<class Model>(const Model&) { return pressure_dependent<Model>(); }, strength);
+}
+
+/// Whether a model's yield stress falls with damage: then it knows itself what failed matter bears.
+template <class Model>
+constexpr bool damage_dependent() {
+  if constexpr (requires { Model::damage_dependent; })
+    return Model::damage_dependent;
+  else
+    return false;
+}
+inline bool damage_dependent(const Strength& strength) {
+  return std::visit([]<class Model>(const Model&) { return damage_dependent<Model>(); }, strength);
 }
 
 /// Temperature [K] at which a model itself gives up its strength, at density over that at rest; NaN: it does

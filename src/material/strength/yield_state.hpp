@@ -9,6 +9,7 @@ struct YieldState {
   double temperature = 0;  // K
   double pressure = 0;     // Pa, positive in compression; only of models that are pressure_dependent
   double compression = 1;  // density over that at rest; likewise
+  double damage = 0;       // 0 to 1; only of models that are damage_dependent
 };
 
 }  // namespace recoil

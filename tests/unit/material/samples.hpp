@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "material/material.hpp"
+#include "material/tabulate.hpp"
 
 /// Instances of every model in the variant lists; a new model does not compile here until it has some.
 namespace recoil::samples {
@@ -32,6 +35,23 @@ inline std::vector<IdealGas> of(const IdealGas&) {
   return {{1.2, 1.4, 101325}, {0.1664, 5.0 / 3, 101325}, {998, 4.4, 101325, 4.92e8}};
 }
 inline std::vector<Jwl> of(const Jwl&) { return {{1630, 371.2e9, 3.231e9, 4.15, .95, .30, 7e9, 6930}}; }
+inline std::vector<PolynomialEos> of(const PolynomialEos&) {
+  return {{3890, 231e9, -160e9, 2774e9}, {2510, 233e9, -593e9, 2800e9}};
+}
+inline Tabular tabulated(const Material& material, const TableExtent& extent) {
+  Tabular table;
+  std::string help;
+  const std::string problem =
+      table.take(tabulate(material, extent), material.thermal.initial_temperature, help);
+  if (!problem.empty()) throw std::runtime_error(problem);
+  return table;
+}
+inline std::vector<Tabular> of(const Tabular&) {
+  Material m;
+  m.thermal.specific_heat = 383.5;
+  m.eos = MieGruneisen{8930, 3940, 1.49, 2.0};
+  return {tabulated(m, {.least = 0.447, .most = 1.9, .densities = 301})};
+}
 
 inline std::vector<NoStrength> of(const NoStrength&) { return {{}}; }
 inline std::vector<Elastic> of(const Elastic&) { return {{43e9}}; }
@@ -57,6 +77,10 @@ inline std::vector<PrestonTonksWallace> of(const PrestonTonksWallace&) {
 }
 inline std::vector<DruckerPrager> of(const DruckerPrager&) { return {{10e9, 1e6, .6}, {10e9, 0, 1.2}}; }
 inline std::vector<Lundborg> of(const Lundborg&) { return {{25e9, 50e6, 1.5, 2e9}}; }
+inline std::vector<JohnsonHolmquist> of(const JohnsonHolmquist&) {
+  return {{90.16e9, .93, .6, .31, .6, 0, .2e9, 2.79e9, 1.46e9},
+          {197e9, .927, .67, .70, .85, .005, .26e9, 19e9, 8.71e9, .2}};
+}
 
 inline std::vector<NoDamage> of(const NoDamage&) { return {{}}; }
 inline std::vector<TensileDamage> of(const TensileDamage&) { return {{1e9, 1, 20e-9}, {1.5e9, 2, 50e-9}}; }
@@ -65,6 +89,9 @@ inline std::vector<JohnsonCookDamage> of(const JohnsonCookDamage&) {
 }
 inline std::vector<VoidGrowth> of(const VoidGrowth&) { return {{0.3e9, 0.04e9, 3e15, 1e-6, 0.3e9, 40}}; }
 inline std::vector<MinimumPressure> of(const MinimumPressure&) { return {{1e9}}; }
+inline std::vector<JohnsonHolmquistDamage> of(const JohnsonHolmquistDamage&) {
+  return {{.005, 1, .2e9, 1.46e9}, {.001, .5, .26e9, 8.71e9}};
+}
 
 /// Calls f(model) for every sample of every model in the list.
 template <class Variant, class F>
