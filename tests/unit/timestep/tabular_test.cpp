@@ -53,7 +53,8 @@ TEST(Tabular, PlatesMoveAsThoseOfWhatIsTabulated) {
     const std::vector<double> got = velocities(run);
     ASSERT_EQ(got.size(), expected.size());
     double mean = 0;
-    for (std::size_t k = 0; k < got.size(); ++k) mean += std::abs(got[k] - expected[k]) / got.size();
+    for (std::size_t k = 0; k < got.size(); ++k) mean += std::abs(got[k] - expected[k]);
+    mean /= static_cast<double>(got.size());
     EXPECT_LT(mean, before / 2) << n;
     before = mean;
     EXPECT_LT(run.imbalance(1, 600), 1e-11);

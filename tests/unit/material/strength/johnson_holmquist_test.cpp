@@ -139,9 +139,12 @@ TEST(JohnsonHolmquist, SingleElementCompressedAndReleased) {
       yielded = true;
       EXPECT_NEAR((p + 2.0 / 3 * q_before) / 2.79e9, 1, 0.02) << "elastic up to the HEL";
     }
-    if (!yielded) EXPECT_NEAR(e.equivalent(), 2 * 90.16e9 * e.strain, 1e3);
-    if (damage > 0 && damage < 1 && e.plastic() > before)
+    if (!yielded) {
+      EXPECT_NEAR(e.equivalent(), 2 * 90.16e9 * e.strain, 1e3);
+    }
+    if (damage > 0 && damage < 1 && e.plastic() > before) {
       EXPECT_NEAR(e.equivalent(), s.yield({.pressure = p, .damage = damage}), 1e-6 * s.at_hel());
+    }
     if (damage < 1) sum += (e.plastic() - before) / (.005 * (p + .2e9) / 1.46e9), whole_at = e.plastic();
     highest = std::max(highest, e.equivalent());
   }
