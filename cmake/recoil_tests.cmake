@@ -3,8 +3,8 @@
 
 file(GLOB_RECURSE recoil_test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/unit/*.cpp")
 
-# Containers and CI run as root, with fewer cores than ranks.
-set(recoil_test_environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+# Containers and CI run as root, with fewer cores than ranks. A test of one process starts no daemon of Open MPI.
+set(recoil_test_environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_ess_singleton_isolated=1
                             OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 GTEST_COLOR=no)
 if(RECOIL_SANITIZE)
   # No leak check: Open MPI unloads its plug-ins before it would run, so that what they leave cannot be told by name.

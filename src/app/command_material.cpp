@@ -37,12 +37,13 @@ std::vector<std::string> all_names() {
 }  // namespace
 
 Material named_material(const std::string& name) {
+  constexpr const char* asked = "command line";
   config::Diagnostics out;
-  const auto material = find_material(name, nullptr, material_folders(), out, {"command line"});
+  const auto material = find_material(name, nullptr, material_folders(), out, {asked});
   if (material) return *material;
   const std::string near = did_you_mean(name, list_materials(material_folders()));
   for (const auto& d : out.list())
-    if (d.place.line > 0) throw InputError(out.text());  // the file exists, and is wrong
+    if (d.place.file != asked) throw InputError(out.text());  // the file exists, and is wrong
   throw InputError(fmt::format("there is no material '{}'\n   = help: {}", name,
                                near.empty() ? "`recoil material list` lists all" : near));
 }

@@ -51,7 +51,8 @@ bool speaks() {
 
 void prepare_mpi_environment() {
   for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
-                           "OMPI_MCA_rmaps_base_oversubscribe", "OMPI_MCA_mpi_yield_when_idle"})
+                           "OMPI_MCA_rmaps_base_oversubscribe", "OMPI_MCA_mpi_yield_when_idle",
+                           "OMPI_MCA_ess_singleton_isolated"})  // the last: one process starts no daemon
     setenv(name, "1", 0);
 }
 

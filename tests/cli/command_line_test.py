@@ -67,6 +67,8 @@ class Usage(Program):
         env = dict(os.environ, RECOIL_MATERIALS=f"{self.folder}/none:{away}")
         self.expect(recoil("check", self.folder / "case.toml", env=env), 0, "5.084 GPa")
         self.expect(recoil("material", "show", "mine", env=env), 0, "away/mine.toml")
+        (away / "half.toml").write_text('title = "Half"\ncite = ["handbook2024"]\n')
+        self.expect(recoil("material", "show", "half", env=env), 2, "'eos' is missing", "away/half.toml")
 
     def test_a_shown_material_is_one_that_can_be_used(self):
         shown = recoil("material", "show", "copper/seed").stdout

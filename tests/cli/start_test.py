@@ -91,7 +91,7 @@ class Completion(Program):
 
     def test_bash_completes_what_the_program_declares(self):
         self.assertEqual(self.completed("recoil", "re"), ["report", "resume"])
-        self.assertEqual(self.completed("recoil", "material", ""), ["hugoniot", "import", "lint", "list", "match", "show"])
+        self.assertEqual(self.completed("recoil", "material", ""), ["hugoniot", "import", "lint", "list", "match", "show", "table"])
         self.assertIn("copper/seed", self.completed("recoil", "material", "show", "cop"))
         self.assertEqual(self.completed("recoil", "run", "--thr"), ["--threads"])
         self.assertEqual(self.completed("recoil", "new", "ta"), ["taylor"])

@@ -49,7 +49,7 @@ class Material(unittest.TestCase):
 
     def test_the_file_of_the_page_works(self):
         page = (ROOT / "docs" / "how-to" / "add-a-material.md").read_text()
-        (text,) = re.findall(r"^```toml\n(.*?)^```", page, re.S | re.M)
+        text, tabulated = re.findall(r"^```toml\n(.*?)^```", page, re.S | re.M)
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "bronze" / "cast.toml"
             file.parent.mkdir()
@@ -65,6 +65,13 @@ class Material(unittest.TestCase):
                 if " -o " in command:
                     picture = pathlib.Path(folder) / command.split(" -o ")[1]
                     self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+            rest = 'title = "Copper by a table"\ncite = ["handbook2024"]\nstrength = { kind = "none" }\n'
+            (file.parent / "tabulated.toml").write_text(rest + tabulated)
+            (table,) = re.findall(r"`recoil (material table .*?)`", page)
+            for command in (table, "material hugoniot bronze/tabulated"):
+                done = subprocess.run([os.environ["RECOIL_PROGRAM"], *shlex.split(command)], cwd=file.parent,
+                                      env=environment, capture_output=True, text=True, timeout=60)  # fmt: skip
+                self.assertEqual(done.returncode, 0, command + "\n" + done.stdout + done.stderr)
 
 
 class Shapes(unittest.TestCase):
