@@ -67,7 +67,7 @@ if(recoil_test_sources)
       set_tests_properties(
         "unit.${group}"
         PROPERTIES ENVIRONMENT "${recoil_test_environment};GTEST_TOTAL_SHARDS=${recoil_test_groups};GTEST_SHARD_INDEX=${group}"
-                   TIMEOUT 600
+                   TIMEOUT 1200
                    LABELS unit)
     endforeach()
   else()
