@@ -18,7 +18,7 @@ namespace recoil::app {
 bool asks_for_view(const PlotOptions& options);
 
 /// The direction of --view, "-x" or "-50deg,25deg", with the axis of --up. @throws InputError.
-View read_view(const std::string& view, const std::string& up);
+View read_view(const std::string& text, const std::string& up);
 
 /// Which faces of a domain are planes of symmetry: [axis], of the low and of the high face.
 std::array<std::array<bool, 3>, 2> symmetric_faces(const config::Domain& domain);

@@ -74,8 +74,12 @@ Hit cast(const Scene& scene, const Vec<3>& origin, const Vec<3>& forward,
   if (!(s.from < s.to)) return hit;
   const double least = 0.2 * scene.cell(), hair = 1e-6 * scene.cell();
   double t = s.from + hair, before = t;
-  for (; t < s.to; before = t, t += std::max(least, scene.distance(origin + forward * t)))
-    if (scene.distance(origin + forward * t) < 0) break;
+  while (t < s.to) {
+    const double distance = scene.distance(origin + forward * t);
+    if (distance < 0) break;
+    before = t;
+    t += std::max(least, distance);
+  }
   if (!(t < s.to)) return hit;
   hit.face = t == before;
   hit.depth = hit.face ? s.from : refined(scene, origin, forward, before, t);
