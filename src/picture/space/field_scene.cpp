@@ -110,7 +110,8 @@ double FieldScene::value(const Vec<3>& x, int body) const {
   const double h = cells_.finest();
   double best = nothing, least = std::numeric_limits<double>::infinity();
   for (int n = 0; n < 125; ++n) {
-    const Vec<3> away{{1.0 * (n % 5 - 2), 1.0 * (n / 5 % 5 - 2), 1.0 * (n / 25 - 2)}};
+    const int i = n % 5 - 2, j = n / 5 % 5 - 2, k = n / 25 - 2;
+    const Vec<3> away{{1.0 * i, 1.0 * j, 1.0 * k}};
     const int cell = cells_.at(x + away * h);
     if (dot(away, away) < least && counts(cell, body))
       least = dot(away, away), best = values_[static_cast<std::size_t>(cell)];
