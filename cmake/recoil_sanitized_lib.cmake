@@ -13,8 +13,5 @@ target_include_directories(recoil_unoptimised PRIVATE "${PROJECT_SOURCE_DIR}/src
 target_precompile_headers(recoil_unoptimised PRIVATE ${recoil_common_headers})
 add_dependencies(recoil_unoptimised recoil_build_info)
 
-set_target_properties(recoil_lib PROPERTIES SOURCES "")
-set(recoil_optimised_sources ${recoil_sources})
-list(REMOVE_ITEM recoil_optimised_sources ${recoil_unoptimised_sources})
-target_sources(recoil_lib PRIVATE ${recoil_optimised_sources} "${recoil_page_source}" $<TARGET_OBJECTS:recoil_unoptimised>)
-target_precompile_headers(recoil_lib PRIVATE ${recoil_common_headers})
+list(REMOVE_ITEM recoil_lib_sources ${recoil_unoptimised_sources})
+list(APPEND recoil_lib_sources $<TARGET_OBJECTS:recoil_unoptimised>)

@@ -46,8 +46,7 @@ if(recoil_test_sources)
   endif()
   if(RECOIL_SANITIZE)
     # Sanitized code is about 25 times slower. Left out are runs of seconds that compare numbers; shorter tests, or the
-    # same one in fewer dimensions, go through the same code. A sanitized process also takes two seconds to start, so
-    # tests run in groups.
+    # same one in fewer dimensions, go through the same code. A process takes 0.3 to 0.4 s to start: tests run in groups.
     set(recoil_long_tests
         BlockSize.DoesNotShowInSpace
         FieldPicture.OutlinesAreDark

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/data_folder.hpp"
+#include "config/kept_files.hpp"
 #include "config/read_case.hpp"
 #include "config/section/expect.hpp"
 #include "core/closest.hpp"
@@ -39,20 +40,12 @@ void add_expected_file(LoadedCase& loaded) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// A run keeps a copy of each file that its case, or a material of it, is read from.
+/// A run keeps a copy of the table of a material, as of the files that its case names.
 void add_table(LoadedCase& loaded, const Material& material, const config::Place& place) {
   const auto* table = std::get_if<Tabular>(&material.eos);
   if (!table) return;
-  std::error_code error;
-  for (const fs::path& other : loaded.contents.files) {
-    if (other.filename() != table->path.filename()) continue;
-    if (!fs::equivalent(other, table->path, error))
-      loaded.found.error(place,
-                         fmt::format("two files of this case are called {}", other.filename().string()),
-                         "rename one: a run keeps a copy of each in its folder");
-    return;
-  }
-  loaded.contents.files.push_back(table->path);
+  const std::string problem = config::keep_file(loaded.contents.files, table->path);
+  if (!problem.empty()) loaded.found.error(place, problem, config::rename_one);
 }
 
 }  // namespace

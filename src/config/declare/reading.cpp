@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <system_error>
 
+#include "config/kept_files.hpp"
 #include "core/closest.hpp"
 
 namespace recoil::config {
@@ -30,14 +31,8 @@ std::filesystem::path input_file(const TableReading& reading, std::string_view k
     return {};
   }
   if (!in.files) return file;
-  for (const fs::path& other : *in.files) {
-    if (other.filename() != file.filename()) continue;
-    if (!fs::equivalent(other, file, error))
-      reading.wrong(key, fmt::format("two files of this case are called {}", file.filename().string()),
-                    "rename one: a run keeps a copy of each in its folder");
-    return file;
-  }
-  in.files->push_back(file);
+  const std::string problem = keep_file(*in.files, file);
+  if (!problem.empty()) reading.wrong(key, problem, rename_one);
   return file;
 }
 

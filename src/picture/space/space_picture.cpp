@@ -30,13 +30,6 @@ std::array<double, 2> extent(const SpaceBox& box, const Vec<3>& along) {
   return ends;
 }
 
-/// Where a point of space lies in the picture.
-Point2 projected(const SpacePicture& p, const SpaceRays& rays, const Vec<3>& x) {
-  const Vec<3> from = x - rays.screen.corner;
-  return {left + 0.5 * dot(from, p.view.right) / rays.screen.pixel,
-          top_of(p) - 0.5 * dot(from, p.view.up) / rays.screen.pixel};
-}
-
 void draw_arrow(Canvas& canvas, Point2 from, Point2 to, Rgb colour, double width) {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   if (length < 1) return;
@@ -88,28 +81,6 @@ void draw_scale(Canvas& canvas, double pixels_per_m, const PixelRect& area) {
              .colour = kPictureStyle.ink,
              .horizontal = HorizontalAnchor::centre,
              .vertical = VerticalAnchor::baseline});
-}
-
-void draw_label(Canvas& canvas, Point2 at, const std::string& text) {
-  const double width = text_width(text, 16);
-  fill_rect(canvas, {at.x + 7, at.y - 11, at.x + 15 + width, at.y + 11}, kPictureStyle.page, 0.8);
-  draw_text(canvas, {at.x + 11, at.y}, text,
-            {.size = 16, .colour = kPictureStyle.ink, .vertical = VerticalAnchor::middle});
-}
-
-void draw_signs(Canvas& canvas, const SpacePicture& p, const SpaceRays& rays) {
-  for (const SpaceArrow& a : p.arrows) {
-    const Point2 tip = projected(p, rays, a.to);
-    draw_arrow(canvas, projected(p, rays, a.from), tip, {24, 26, 30}, 4.4);
-    draw_arrow(canvas, projected(p, rays, a.from), tip, {240, 110, 30}, 3);
-    draw_label(canvas, tip, a.label);
-  }
-  for (const SpaceMark& m : p.marks) {
-    const Point2 at = projected(p, rays, m.at);
-    fill_circle(canvas, at, 6.5, kPictureStyle.page, canvas.bounds());
-    fill_circle(canvas, at, 4.5, {180, 20, 120}, canvas.bounds());
-    draw_label(canvas, at, m.label);
-  }
 }
 
 }  // namespace
@@ -177,7 +148,6 @@ Canvas space_picture(const SpacePicture& p, const SpaceRays& rays, const Colours
   Canvas canvas(static_cast<int>(std::ceil(area.x1 + key_width(key))), static_cast<int>(area.y1 + band),
                 kPictureStyle.page);
   draw_image(canvas, image, area);
-  draw_signs(canvas, p, rays);
   const double inset = std::min(40.0, 0.1 * (area.y1 - area.y0));
   draw_key(canvas, key, {area.x0, area.y0 + inset, area.x1, area.y1 - inset}, 0);
   draw_axes_of(canvas, p.view, {area.x0 + 44, area.y1 + band - 46});

@@ -10,18 +10,6 @@
 
 namespace recoil {
 
-/// An arrow in space with its colour and name: a velocity, say.
-struct SpaceArrow {
-  Vec<3> from{}, to{};  ///< m
-  std::string label{};
-};
-
-/// A point in space by name.
-struct SpaceMark {
-  Vec<3> at{};  ///< m
-  std::string label{};
-};
-
 /// A part of a view [m]: coordinates along its `right`, `up` and `forward`.
 struct ViewWindow {
   double x0 = 0, x1 = 0, y0 = 0, y1 = 0;
@@ -43,8 +31,6 @@ struct SpacePicture {
   std::optional<SpacePlane> cut{};         ///< its viewer's side is taken away
   std::string title{}, note{};             ///< heading on the left; on the right, e.g. the time
   std::string label{};                     ///< of the colour bar, with unit: "pressure [GPa]"
-  std::vector<SpaceArrow> arrows{};        ///< drawn on top
-  std::vector<SpaceMark> marks{};          ///< drawn on top
   int max_width = 1200, max_height = 900;  ///< of the whole picture [pixels]
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "../material/alumina.hpp"
 #include "material/hugoniot.hpp"
 #include "run.hpp"
 
@@ -17,12 +18,7 @@ constexpr double mm = 1e-3;
 /// Alumina (Cronin et al. 2003) strikes its mirror image, a rigid wall, at 200 m/s: the first wave rises to
 /// the Hugoniot elastic limit, behind it matter breaks.
 TEST(JohnsonHolmquist, PlateImpactHasItsHugoniotElasticLimit) {
-  Material alumina;
-  alumina.name = "alumina";
-  alumina.eos = PolynomialEos{3700, 130.95e9};
-  alumina.strength = samples::of(JohnsonHolmquist{})[0];
-  alumina.damage = samples::of(JohnsonHolmquistDamage{})[0];
-  alumina.thermal.specific_heat = 880;
+  const Material alumina = samples::alumina();
   auto plate = body_of("plate", box_shape(vector_of(0), vector_of(10 * mm)), vector_of(-200));
   auto wall = body_of("wall", box_shape(vector_of(-2 * mm), vector_of(0)));
   wall.rigid = true;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../../cutcell/bodies.hpp"
+#include "../alumina.hpp"
 #include "dynamics/plastic_return.hpp"
 #include "material/hugoniot.hpp"
 #include "material/library.hpp"
@@ -16,16 +17,7 @@
 namespace recoil {
 namespace {
 
-/// Alumina of Cronin et al. (2003).
-Material alumina() {
-  Material m;
-  m.name = "alumina";
-  m.eos = PolynomialEos{3700, 130.95e9};
-  m.strength = samples::of(JohnsonHolmquist{})[0];
-  m.damage = samples::of(JohnsonHolmquistDamage{})[0];
-  m.thermal.specific_heat = 880;
-  return m;
-}
+using samples::alumina;
 
 /// By hand: s_HEL = 1.5 (2.79 - 1.46) = 1.995 GPa; at 3 GPa p* = 2.0548, T* = 0.13699,
 ///   intact .93 (2.19178)^.6 = 1.48915, fractured .31 (2.0548)^.6 = 0.47764 times that.
