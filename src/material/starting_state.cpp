@@ -29,9 +29,7 @@ StartingState state_at_start(const Material& m, std::optional<double> pressure,
   const double start = m.thermal.initial_temperature, t = temperature.value_or(start);
   const auto fail = [&](const std::string& why) {
     throw InputError(
-        fmt::format("error: body '{}' cannot start at {:.6g} Pa and {:.6g} K: {}\n   = help: "
-                    "change its pressure or temperature, or its material",
-                    body, p, t, why));
+        fmt::format("body '{}' cannot start at {:.6g} GPa and {:.6g} K: {}", body, p * 1e-9, t, why));
   };
   const bool by_work = m.thermal.rule == Thermal::Rule::plastic_work;
   if (by_work && t < start)

@@ -106,6 +106,8 @@ ERRORS = [
     ([("[gauge.rear]", 'detonation = { points = [] }\n[gauge.rear]')], "'points' needs a list of positions", 17, 25, "e.g."),
     ([('velocity = { x = "450 m/s" }', 'velocity-history = [["0 us", { x = "1 m/s" }], ["1 us", { x = "2 m/s" }]]')],
      "'velocity-history' is for rigid bodies", 13, 1, "a rigid body can push it"),
+    ([('velocity = { x = "450 m/s" }', 'velocity = { x = "450 m/s" }\npressure = "-900 GPa"')],
+     "'flyer' cannot start at -900 GPa and 298 K", 14, 12, "change its pressure"),
     ([('material = "aluminium/6061-t6"', "rigid = true"),
       ('velocity = { x = "450 m/s" }', 'velocity-history = [["1 us", { x = "1 m/s" }], ["1 us", { x = "2 m/s" }]]')],
      "the times of 'velocity-history' do not grow", 13, 48, "nanosecond"),

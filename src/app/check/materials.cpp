@@ -7,7 +7,9 @@
 #include <variant>
 
 #include "app/check/checks.hpp"
+#include "core/error.hpp"
 #include "material/lint.hpp"
+#include "material/starting_state.hpp"
 
 namespace recoil::app {
 
@@ -50,10 +52,26 @@ void check_unused(LoadedCase& loaded) {
   }
 }
 
+/// A pressure or temperature at the start that the material cannot have.
+void check_starting_states(LoadedCase& loaded) {
+  for (std::size_t m = 0; m < loaded.materials.size(); ++m) {
+    const config::Body& body = loaded.contents.bodies[m];
+    if (body.rigid || !(body.pressure || body.temperature)) continue;
+    try {
+      state_at_start(loaded.materials[m], body.pressure, body.temperature, body.name);
+    } catch (const InputError& e) {
+      const std::string key = "body." + body.name + (body.pressure ? ".pressure" : ".temperature");
+      loaded.found.error(place_of(loaded, key, body.place), e.what(),
+                         "change its pressure or temperature, or its material");
+    }
+  }
+}
+
 }  // namespace
 
 void check_materials(LoadedCase& loaded) {
   check_unused(loaded);
+  check_starting_states(loaded);
   std::set<std::string> seen;
   for (std::size_t m = 0; m < loaded.materials.size(); ++m) {
     const config::Body& body = loaded.contents.bodies[m];
