@@ -17,12 +17,13 @@ namespace {
 constexpr double least_state_fill = 0.02;  // below it a fragment's state carries no volume
 constexpr double open_bound = 0.1;         // how far V may be below 0 or above the cell where it is not thin
 constexpr double rounding = 1e-13;         // a smaller excess over a whole cell is none
-constexpr double ample_fill = 0.3;      // a neighbour with less does not lend to a cell that lacks volume ...
-constexpr double ample_times = 4;       // ... nor one with less than so many times what is lacking
-constexpr double most_lent = 0.5;       // of what a neighbour has, it gives to a cell without a state
-constexpr double fullest_times = 2;     // what takes a negative volume in has more than so many times as much
-constexpr double least_surface = 0.02;  // area that a surface counts with in the exchange along it
-constexpr double closed_face = 1e-9;    // a common face open by less is closed; closed by less, open
+constexpr double ample_fill = 0.3;   // a neighbour with less does not lend to a cell that lacks volume ...
+constexpr double ample_times = 4;    // ... nor one with less than so many times what is lacking
+constexpr double most_lent = 0.5;    // of what a neighbour has, it gives to a cell without a state
+constexpr double fullest_times = 2;  // what takes a negative volume in has more than so many times as much
+constexpr double like_speed = 50;    // [m/s] moving otherwise by so much halves the rank of what takes it in
+constexpr double least_surface = 0.02;       // area that a surface counts with in the exchange along it
+constexpr double closed_face = 1e-9;         // a common face open by less is closed; closed by less, open
 constexpr double least_mismatch_area = 0.3;  // a smaller surface counts as so large in V - V_phi over A_I
 constexpr double most_mismatch = 0.5;        // [dx] by which phi is asked to follow V at most
 
@@ -144,22 +145,40 @@ double surface_flow(const MovesView<Dim>& p, const Index<Dim>& i, int d, Index<D
          (area_a + area_b);
 }
 
+/// Velocity of what a cell holds [m/s]; 0 without mass.
+template <int Dim>
+Vec<Dim> velocity(const Contents<Dim>& q) {
+  Vec<Dim> u{};
+  if (q[Components<Dim>::rho] != 0)
+    for (int d = 0; d < Dim; ++d) u[d] = q[Components<Dim>::u + d] / q[Components<Dim>::rho];
+  return u;
+}
+
 /// Sends what cell i holds to the fullest cell around that has much more: one that shares a face, else a
-/// diagonal one.
+/// diagonal one. Where it is a negative volume, one that moves otherwise counts as less full: matter m taken
+/// off at another velocity takes the heat m |du|^2/2 with it, which the rest has not.
 template <int Dim>
 void send_to_fullest(const MovesView<Dim>& p, const Index<Dim>& i, Transfer<Dim>& t) {
-  const double have = std::abs(p.volume[p.window.at(i)]);
+  const double volume = p.volume[p.window.at(i)], have = std::abs(volume);
+  const Vec<Dim> u = velocity<Dim>(p.contents(i));
+  const auto likeness = [&](const Index<Dim>& j) {
+    if (volume >= 0) return 1.0;
+    const Vec<Dim> du = velocity<Dim>(p.contents(j)) - u;
+    return 1 / (1 + dot(du, du) / (like_speed * like_speed));
+  };
   Box<Dim> box{i, i};
   for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
   for (const bool diagonal : {false, true}) {
-    double best = least_state_fill;
+    double best = 0;
     for_each(box, [&](const Index<Dim>& j) {
       int apart = 0;
       for (int d = 0; d < Dim; ++d) apart += j[d] != i[d];
       if (apart == 0 || (apart > 1) != diagonal) return;
-      const double v = p.volume[p.window.at(j)], fill = v / p.full(j);
-      if (fill <= best || v <= fullest_times * have) return;
-      best = fill;
+      const double v = p.volume[p.window.at(j)];
+      if (v <= fullest_times * have || v <= least_state_fill * p.full(j)) return;
+      const double rank = v / p.full(j) * likeness(j);
+      if (rank <= best) return;
+      best = rank;
       t.to = j;
       t.any = true;
     });

@@ -37,7 +37,8 @@ std::string place_of(const State<Dim>& state, int slot, const Index<Dim>& local)
   return "(" + text + ") mm";
 }
 
-/// A fragment whose density the equation of state does not admit.
+/// Stops the run: a fragment is denser than its equation of state admits, or its density is below -rho0. So
+/// far below zero it would grow in the averages over the cells around, until no sum over the body is exact.
 template <int Dim>
 [[noreturn]] void refuse_density(const State<Dim>& state, const Body<Dim>& body, int slot,
                                  const Index<Dim>& local, std::size_t k) {
@@ -54,7 +55,7 @@ template <int Dim>
   throw StateError(
       body.name, point_of(state, slot, local),
       fmt::format("{} has a density beyond its equation of state at {}, {:.6g} us: {:.6g} kg/m3, the largest "
-                  "is {:.6g}; "
+                  "is {:.6g}, and none is below 0; "
                   "velocity ({}) m/s, internal energy {:.6g} J/kg, {:.3g} of a cell",
                   body.name, place_of(state, slot, local), state.time * 1e6, rho,
                   largest_density(body.material.eos), velocity, q[Components<Dim>::energy] / mass - kinetic,
@@ -156,7 +157,7 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
     if (fill > donor_fill) role |= donates;
     if (fill >= regular_fill) role |= regular | valued;
     const double rho = role != 0 ? b.contents[k] / b.volume[k] : rho0;
-    if (fill >= regular_fill && !(rho < densest))
+    if (fill >= regular_fill && !(rho < densest && rho > -rho0))
       refuse_density(state, body, slot, i - state.mesh.block(slot).cells.lo, k);
     if (role != 0 && !(rho > (fails && has_failed(b, k) ? thinnest_failed : thinnest) * rho0)) {
       ++counters.fragments_too_thin;

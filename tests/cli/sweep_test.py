@@ -111,7 +111,9 @@ class Sweep(Program):
         speed = ["--set", SPEED + "200m/s:300m/s", "-j", "1"]
         self.expect(self.sweep(*speed, "--quantity", "gauge.rear.speed.max"), 2, "has no column 'speed'", "velocity")
         self.expect(self.sweep(*speed, "--find", "event.ricoche"), 2, "did you mean 'event.ricochet'?")
-        self.expect(self.sweep(*speed, "--find", "gauge.impact.traction.min < -3 us"), 2, "compare it with a value in GPa")
+        self.expect(self.sweep(*speed, "--find", "gauge.impact.traction.min < -3 us"), 2, "compare it with a value in GPa", "goes on from it")
+        self.expect(self.sweep(*speed, "--find", "gauge.impact.traction.min < -3 GPa", "--within", "30 m/s"),
+                    0, "1 of them finished before")  # fmt: skip
 
     def test_an_interrupted_run_goes_on(self):
         case = self.case(*QUICK, ("[gauge.rear]", '[output.checkpoint]\nevery = "0.3 us"\n\n[gauge.rear]'))

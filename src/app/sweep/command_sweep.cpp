@@ -172,7 +172,12 @@ int find_thresholds(const Sweep& s) {
 
 int sweep(const SweepOptions& o) {
   const Sweep s = read(o);
-  return s.searches() ? find_thresholds(s) : tabulate(s);
+  try {
+    return s.searches() ? find_thresholds(s) : tabulate(s);
+  } catch (const InputError& e) {  // that only results could show, such as the unit of a quantity
+    throw InputError(fmt::format("{}; what has run is kept in {}, the corrected command goes on from it",
+                                 e.what(), s.folder.string()));
+  }
 }
 
 }  // namespace recoil::app
