@@ -145,12 +145,22 @@ void together(const parallel::World& world, const char* what, F&& f) {
                   path.string(), what));
 }
 
+/// Whether a dataset is stored as it was written: integers of the size of `type`, in one piece. A damaged
+/// type may claim gigabytes for one number, which HDF5 would take as room to convert it.
+bool as_written(hid_t set, hid_t type) {
+  const Hdf5Handle stored(H5Dget_type(set), H5Tclose, "ask for a type");
+  const Hdf5Handle how(H5Dget_create_plist(set), H5Pclose, "ask for the options of a dataset");
+  return H5Tget_class(stored) == H5T_INTEGER && H5Tget_size(stored) == H5Tget_size(type) &&
+         H5Pget_layout(how) == H5D_CONTIGUOUS;
+}
+
 template <class T>
 std::vector<T> read_part(hid_t file, const char* name, hid_t type, const std::filesystem::path& path,
                          hsize_t first = 0, hsize_t count = H5S_ALL) {
   const hid_t id = H5Dopen2(file, name, H5P_DEFAULT);
   if (id < 0) damaged(path, fmt::format("it has no '{}': it is no checkpoint, or not whole", name));
   const Hdf5Handle set(id, H5Dclose, "open a dataset");
+  if (!as_written(set, type)) damaged(path, fmt::format("its '{}' is of another type", name));
   const Hdf5Handle space(H5Dget_space(set), H5Sclose, "ask for a space");
   const auto total = static_cast<hsize_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0));
   if (count == H5S_ALL) count = total;

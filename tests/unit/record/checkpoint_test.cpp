@@ -1,6 +1,7 @@
 #include "record/checkpoint.hpp"
 
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include "../support/scratch_folder.hpp"
 #include "../support/small_case.hpp"
 #include "core/error.hpp"
+#include "format/hdf5_handle.hpp"
 #include "timestep/step.hpp"
 
 namespace recoil {
@@ -147,6 +149,31 @@ TEST(Checkpoint, DamageIsNoticed) {
     EXPECT_TRUE(refused(bytes)) << part;
   }
   EXPECT_FALSE(refused(whole));
+}
+
+/// A type of gigabytes for each number, which a damaged file may claim, is not read: HDF5 would take as much
+/// room.
+TEST(Checkpoint, DatasetsOfAnotherTypeAreRefused) {
+  const ScratchFolder folder;
+  Recorded run(folder / "run");
+  run.begin();
+  const auto file = run.folder / "checkpoint.h5";
+  write_checkpoint(file, "a run", run.state, run.engine.averaged, run.recorder, run.world);
+  {
+    const Hdf5Handle open(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "open a file");
+    const Hdf5Handle huge(H5Tcreate(H5T_OPAQUE, std::size_t{1} << 31), H5Tclose, "make a type");
+    const hsize_t one = 1;
+    const Hdf5Handle space(H5Screate_simple(1, &one, nullptr), H5Sclose, "make a space");
+    Hdf5Handle::check(H5Ldelete(open, "head", H5P_DEFAULT), "remove a dataset");
+    const Hdf5Handle set(H5Dcreate2(open, "head", huge, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Dclose, "make a dataset");
+  }
+  try {
+    const BlockFile read(file);
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("its 'head' is of another type"), std::string::npos) << e.what();
+  }
 }
 
 TEST(Checkpoint, OfAnotherMeshIsRefused) {
