@@ -265,6 +265,17 @@ class WrongInputs(unittest.TestCase):
         self.assertEqual(code, 0, said)
         self.assertRegex(said, r"'ball' touches 'target' at about 0\.50\d us, closing at 1000 m/s\n")
 
+    def test_a_crater_is_looked_at_from_outside(self):
+        crater = '[gauge.pit]\nkind = "crater"\nbody = "target"\nat = { x = "0 mm" }\ndirection = { x = %d }\nradius = "5 mm"\n'
+        self.write(PLANE + crater % 1)
+        code, said = self.recoil("check", self.file)
+        self.assertEqual(code, 2, said)
+        self.assertIn("the direction of gauge 'pit' leads into 'target'", said)
+        self.assertRegex(said, r"--> \S+:21:13\n")
+        self.assertIn("turn it round", said)
+        self.write(PLANE + crater % -1)
+        self.assertEqual(self.recoil("check", self.file)[0], 0)
+
     def test_a_bar_has_no_opening_time(self):
         code, said = self.recoil("check", DATA / "cases" / "taylor_copper")
         self.assertEqual(code, 0, said)

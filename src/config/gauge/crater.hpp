@@ -33,7 +33,7 @@ struct CraterGauge {
              .required = true,
              .rule = Rule::direction,
              .doc = "out of that surface, along an axis",
-             .example = "{ z = -1 }"},
+             .example = "{ z = 1 }"},
             {.name = "radius",
              .member = &CraterGauge::radius,
              .unit = "m",
