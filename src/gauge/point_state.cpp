@@ -38,9 +38,13 @@ PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents
   p.von_mises = std::sqrt(mises2);
   p.plastic_strain = w[C::ep];
   p.damage = w[C::damage];
+  p.compression = p.density / rest_density(body.material.eos, w[C::crushed]);
+  if (const auto* porous = std::get_if<Porous>(&body.material.eos))
+    p.distension = porous->distension(w[C::crushed]);
   p.thermal_energy = contents[C::energy] / contents[C::rho] - 0.5 * dot(p.velocity, p.velocity) -
                      distortion_energy(mises2, shear_modulus(body.material), p.density);
-  const double solid = p.has_void ? solid_fraction(body.material.eos, p.density, p.thermal_energy) : 1.0;
+  const double solid =
+      p.has_void ? solid_fraction(body.material.eos, p.density, p.thermal_energy, w[C::crushed]) : 1.0;
   p.void_fraction = 1 - solid;
   p.temperature = body.temperature(p.density / solid, p.thermal_energy, w[C::temperature_rise]);
   return p;

@@ -58,7 +58,7 @@ class Shock {
         shear_modulus_(shear_modulus(m)) {
     rest_ = {rho0_, 0, 0, 0};
     limit_ = std::min(largest_density(eos_), 20 * rho0_) * (1 - 1e-9);
-    elastic_density_ = find_elastic_limit(m.thermal.initial_temperature);
+    elastic_density_ = first_limit(find_elastic_limit(m.thermal.initial_temperature), find_crush_limit());
     if (!yields()) return;
     const ShockState e = jump(rest_, elastic_density_);
     elastic_ = {e.density, e.velocity, e.stress, e.energy};
@@ -85,6 +85,30 @@ class Shock {
     s.precursor_velocity = elastic_.velocity;
     s.precursor_stress = elastic_.stress;
     return s;
+  }
+
+  /// The smaller of two densities of which 0 stands for none. Where pores begin to crush and matter to yield
+  /// one after the other, the two fronts behind the first one are taken as one.
+  static double first_limit(double a, double b) { return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); }
+
+  /// The density at which pores begin to crush; 0: there are none, or they crush at once.
+  double find_crush_limit() const {
+    const auto* porous = std::get_if<Porous>(&eos_);
+    if (!porous || !(porous->elastic_limit > 0)) return 0;
+    double low = rho0_, high = std::min(limit_, 0.999 * porous->frozen(0).largest_density());
+    for (int i = 0; i < 100 && low < high; ++i) {
+      const double middle = 0.5 * (low + high);
+      if (middle == low || middle == high) break;
+      (crushed(jump(rest_, middle)) > 0 ? high : low) = middle;
+    }
+    return low;
+  }
+
+  /// What porous matter has lost of its distension in a state, by loading alone.
+  double crushed(const ShockState& s) const { return crushed_by(eos_, s.density, s.energy); }
+
+  double pressure_of(double rho, double e) const {
+    return recoil::pressure(eos_, rho, e, crushed_by(eos_, rho, e));
   }
 
   bool yields() const { return elastic_density_ > 0 && elastic_density_ < limit_; }
@@ -115,9 +139,10 @@ class Shock {
   /// Stress and energy behind a front to density s.density that carries this deviator: Newton's method over
   /// the energy, which ends at once where pressure is linear in it.
   void close(const Front& from, double dv, double deviator, ShockState& s) const {
+    if (std::holds_alternative<Porous>(eos_)) return close_porous(from, dv, deviator, s);
     double e = 0;
     for (int i = 0; i < 40; ++i) {
-      const double p = pressure(eos_, s.density, e), slope = pressure(eos_, s.density, e + 1) - p;
+      const double p = pressure_of(s.density, e), slope = pressure_of(s.density, e + 1) - p;
       const double known = p + deviator + slope * (from.energy - e + 0.5 * from.stress * dv);
       s.stress = known / (1 - 0.5 * slope * dv);
       s.energy = from.energy + 0.5 * (s.stress + from.stress) * dv;
@@ -125,6 +150,21 @@ class Shock {
       e = s.energy;
     }
     s.pressure = s.stress - deviator;
+  }
+
+  /// The same where pressure over energy bends, as pores are gone: bracketed. Without a root, at densities
+  /// that no shock reaches, the state is no number.
+  void close_porous(const Front& from, double dv, double deviator, ShockState& s) const {
+    const auto missing = [&](double e) {
+      return e - from.energy - 0.5 * (pressure_of(s.density, e) + deviator + from.stress) * dv;
+    };
+    double lo = from.energy, step = 1e3;
+    while (missing(lo) > 0 && step < 1e10) lo -= step, step *= 2;
+    double hi = lo;
+    for (step = 1e3; !(missing(hi) > 0) && step < 1e10; step *= 2) lo = hi, hi += step;
+    s.energy = missing(lo) <= 0 && missing(hi) > 0 ? rising_root(missing, lo, hi) : unset;
+    s.pressure = pressure_of(s.density, s.energy);
+    s.stress = s.pressure + deviator;
   }
 
   /// The jump conditions of one front from `from` to density rho.
@@ -145,21 +185,24 @@ class Shock {
     s.pressure = s.stress - deviator(s);
     const double du = std::sqrt(std::max((s.stress - from.stress) * dv, 0.0));
     s.velocity = from.velocity + du;
-    s.shock_speed =
-        du > 0 ? from.velocity + (s.stress - from.stress) / (from.density * du) : longitudinal(s.density, 0);
-    const double c2 = sound_speed_squared(eos_, rho, s.pressure);
+    s.shock_speed = du > 0 ? from.velocity + (s.stress - from.stress) / (from.density * du)
+                           : longitudinal(s.density, 0, 0);
+    const double lost = crushed(s), c2 = sound_speed_squared(eos_, rho, s.pressure, lost);
     s.bulk_speed = std::sqrt(std::max(c2, 0.0));
-    s.release_speed = longitudinal(rho, s.pressure);
+    s.release_speed = longitudinal(rho, s.pressure, lost);
     return s;
   }
 
-  double longitudinal(double rho, double p) const {
-    const double c2 = sound_speed_squared(eos_, rho, p) + 4 * shear_modulus_ / (3 * rho);
+  double longitudinal(double rho, double p, double lost) const {
+    const double c2 = sound_speed_squared(eos_, rho, p, lost) + 4 * shear_modulus_ / (3 * rho);
     return std::sqrt(std::max(c2, 0.0));
   }
 
   YieldState state_of(const ShockState& s, double ep, double temperature) const {
-    return {.ep = ep, .temperature = temperature, .pressure = s.pressure, .compression = s.density / rho0_};
+    return {.ep = ep,
+            .temperature = temperature,
+            .pressure = s.pressure,
+            .compression = s.density / rest_density(eos_, crushed(s))};
   }
 
   /// -S_nn [Pa], at most 2/3 of the yield stress.
@@ -178,7 +221,8 @@ class Shock {
       return q > 0 ? plastic_increment(strength_, q, state_of(s, 0, temperature), 1) : 0.0;
     };
     const double q = 1.5 * deviator(s);  // of the round before
-    s.temperature = law_(s.density, s.energy - distortion_energy(q * q, shear_modulus_, s.density), 0);
+    s.temperature =
+        law_(s.density, s.energy - distortion_energy(q * q, shear_modulus_, s.density), crushed(s));
     s.plastic_strain = strain(total, s.temperature);
     if (s.plastic_strain > 0 && law_.thermal().rule == Thermal::Rule::plastic_work)
       heat_along(s, total, strain);
@@ -211,7 +255,7 @@ class Shock {
     double lo = rho0_, hi = limit_;
     const auto fine = [&](double rho) {
       const ShockState s = at_density(rho);
-      const double slope = pressure(eos_, rho, s.energy + 1) - pressure(eos_, rho, s.energy);
+      const double slope = pressure_of(rho, s.energy + 1) - pressure_of(rho, s.energy);
       return 0.5 * slope * (1 / rho0_ - 1 / rho) < 0.99 && s.stress >= 0 && std::isfinite(s.velocity);
     };
     if (fine(hi)) return hi;
@@ -270,7 +314,8 @@ bool flyer_leaves(const Impact& impact, const Material& flyer, const Material& t
 }
 
 double unloading_time(const ShockState& state, const Material& material, double thickness) {
-  return thickness / state.shock_speed + thickness / bulk_sound_speed(material);
+  const double solid = thickness * density(material) / solid_density(material);
+  return thickness / state.shock_speed + solid / bulk_sound_speed(material);
 }
 
 }  // namespace recoil
