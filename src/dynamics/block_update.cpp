@@ -153,7 +153,7 @@ void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slo
   w.wide = w.window.size();
   w.whole = cells == Cells::whole;
   gather_values(body, slot, eos, g, w, scratch);
-  if (eos.porous) soften_crushing(*eos.porous, g, w);
+  if (Scheme::by_cells && eos.porous) soften_crushing(*eos.porous, g, w);  // LLF needs the fastest signal
   if (faces == FaceTime::midstep) detail::find_half_step(body, dt, w, scratch);
   w.rate = scratch.take_filled<double>(w.n * C::contents, 0);
   w.gradient = scratch.take_filled<double>(w.n * Dim * Dim, 0);

@@ -51,11 +51,11 @@ PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents
 }
 
 template <int Dim>
-double largest_principal(const PointState<Dim>& p) {
+double largest_principal(const PointState<Dim>& state) {
   std::array<double, Components<Dim>::stresses> deviator;
   for (std::size_t c = 0; c < deviator.size(); ++c)
-    deviator[c] = p.stress[c] + (c < (Dim == 1 ? 1U : 2U) ? p.pressure : 0);
-  return largest_principal_deviator<Dim>(deviator.data(), 1) - p.pressure;
+    deviator[c] = state.stress[c] + (c < (Dim == 1 ? 1U : 2U) ? state.pressure : 0);
+  return largest_principal_deviator<Dim>(deviator.data(), 1) - state.pressure;
 }
 
 template double largest_principal<1>(const PointState<1>&);
