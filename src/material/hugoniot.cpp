@@ -1,6 +1,7 @@
 #include "material/hugoniot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <variant>
@@ -68,22 +69,102 @@ class Shock {
   ShockState at_velocity(double velocity) const {
     const auto behind = [&](double rho) { return at_density(rho).velocity - velocity; };
     if (!(velocity > 0)) return jump(rest_, rho0_);
+    if (has_pores() && !(velocity <= elastic_.velocity)) return porous_at_velocity(velocity);
     const double top = last_density();
     if (behind(top) < 0) fail(velocity);
     return at_density(rising_root(behind, rho0_, top));
   }
 
-  double largest_velocity() const { return at_density(last_density()).velocity; }
+  double largest_velocity() const {
+    if (!has_pores()) return at_density(last_density()).velocity;
+    double low = elastic_.velocity, high = 1;
+    for (; high < fastest && reaches(rest_, high); high *= 2) low = high;
+    for (int i = 0; i < 60 && high < fastest; ++i) {
+      const double middle = 0.5 * (low + high);
+      (reaches(rest_, middle) ? low : high) = middle;
+    }
+    return low;
+  }
 
  private:
-  ShockState at_density(double rho) const {
-    if (!yields() || rho <= elastic_density_) return jump(rest_, rho);
-    ShockState s = jump(elastic_, rho);
-    if (s.shock_speed >= elastic_speed_) return jump(rest_, rho);  // one front
+  static constexpr double fastest = 1e5;  // m/s that is asked for of porous matter
+
+  bool has_pores() const { return std::holds_alternative<Porous>(eos_); }
+
+  /// Behind a front of the speed `ahead` against the matter that it runs into, which brings it to `velocity`:
+  /// density and energy by the jump conditions, stress by the equation of state.
+  ShockState porous_behind(const Front& from, double velocity, double ahead) const {
+    const double du = velocity - from.velocity;
+    ShockState s;
+    s.velocity = velocity;
+    s.shock_speed = from.velocity + ahead;
+    s.density = from.density / (1 - du / ahead);
+    s.energy = from.energy + 0.5 * du * du + from.stress * (1 / from.density - 1 / s.density);
+    s.pressure = pressure_of(s.density, s.energy);
+    for (int i = 0; i < 4; ++i) load(s);  // the temperature depends on the strength, and the strength on it
+    s.stress = s.pressure + deviator(s);
+    complete(s);
+    return s;
+  }
+  /// The least speed of such a front, at which it compresses to the end of the equation of state.
+  double least_ahead(const Front& from, double velocity) const {
+    return (velocity - from.velocity) / (1 - from.density / limit_);
+  }
+  /// What momentum asks for less the stress that there is [Pa]: rises with the speed of the front.
+  double missing_stress(const Front& from, double velocity, double ahead) const {
+    return from.stress + from.density * ahead * (velocity - from.velocity) -
+           porous_behind(from, velocity, ahead).stress;
+  }
+  /// The interval [low, high] in which the fastest such front lies, from above; low 0: there is none.
+  std::array<double, 2> bracket(const Front& from, double velocity) const {
+    const double least = least_ahead(from, velocity);
+    double high = 2 * least + 2e4;
+    while (!(missing_stress(from, velocity, high) > 0) && high < 1e9) high *= 2;
+    while (high - least > 1e-4 * least) {
+      const double low = least + 0.8 * (high - least);
+      if (missing_stress(from, velocity, low) <= 0) return {low, high};
+      high = low;
+    }
+    return {0, 0};
+  }
+  bool reaches(const Front& from, double velocity) const { return bracket(from, velocity)[0] > 0; }
+
+  /// The density behind a shock into porous matter need not rise with its strength (much heat, little solid):
+  /// the speed of the front is looked for.
+  ShockState porous_shock(const Front& from, double velocity) const {
+    const auto [low, high] = bracket(from, velocity);
+    if (!(low > 0)) fail(velocity);
+    const auto missing = [&](double ahead) { return missing_stress(from, velocity, ahead); };
+    return porous_behind(from, velocity, rising_root(missing, low, high));
+  }
+  ShockState porous_at_velocity(double velocity) const {
+    if (!yields() || !reaches(elastic_, velocity)) return porous_shock(rest_, velocity);
+    ShockState s = porous_shock(elastic_, velocity);
+    if (s.shock_speed >= elastic_speed_) return porous_shock(rest_, velocity);  // one front
+    announce(s);
+    return s;
+  }
+
+  /// Puts the elastic precursor into the state behind the second front.
+  void announce(ShockState& s) const {
     s.has_precursor = true;
     s.precursor_speed = elastic_speed_;
     s.precursor_velocity = elastic_.velocity;
     s.precursor_stress = elastic_.stress;
+  }
+
+  /// The speeds of waves in a state that is known otherwise.
+  void complete(ShockState& s) const {
+    const double lost = crushed(s), c2 = sound_speed_squared(eos_, s.density, s.pressure, lost);
+    s.bulk_speed = std::sqrt(std::max(c2, 0.0));
+    s.release_speed = longitudinal(s.density, s.pressure, lost);
+  }
+
+  ShockState at_density(double rho) const {
+    if (!yields() || rho <= elastic_density_) return jump(rest_, rho);
+    ShockState s = jump(elastic_, rho);
+    if (s.shock_speed >= elastic_speed_) return jump(rest_, rho);  // one front
+    announce(s);
     return s;
   }
 
@@ -187,9 +268,7 @@ class Shock {
     s.velocity = from.velocity + du;
     s.shock_speed = du > 0 ? from.velocity + (s.stress - from.stress) / (from.density * du)
                            : longitudinal(s.density, 0, 0);
-    const double lost = crushed(s), c2 = sound_speed_squared(eos_, rho, s.pressure, lost);
-    s.bulk_speed = std::sqrt(std::max(c2, 0.0));
-    s.release_speed = longitudinal(rho, s.pressure, lost);
+    complete(s);
     return s;
   }
 
