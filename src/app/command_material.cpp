@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/command_line.hpp"
@@ -88,6 +89,11 @@ int tabulate_material(const TableOptions& o) {
   if (o.densities < 10 || o.temperatures < 3 || o.densities > 10000 || o.temperatures > 1000)
     throw InputError("a table has 10 to 10000 densities and 3 to 1000 temperatures");
   const Material m = named_material(o.name);
+  if (std::holds_alternative<Porous>(m.eos))
+    throw InputError(
+        fmt::format("{}: porous matter has no table: its pressure depends on how far its pores "
+                    "have been crushed\n   = help: tabulate its solid",
+                    o.name));
   if (barotropic(m.eos) || is_fluid(m.eos))
     throw InputError(fmt::format("{}: only solids whose pressure depends on energy are tabulated", o.name));
   if (m.thermal.rule != Thermal::Rule::energy)

@@ -42,7 +42,7 @@ void add_expected_file(LoadedCase& loaded) {
 
 /// A run keeps a copy of the table of a material, as of the files that its case names.
 void add_table(LoadedCase& loaded, const Material& material, const config::Place& place) {
-  const auto* table = std::get_if<Tabular>(&material.eos);
+  const auto* table = tabular(material.eos);
   if (!table) return;
   const std::string problem = config::keep_file(loaded.contents.files, table->path);
   if (!problem.empty()) loaded.found.error(place, problem, config::rename_one);

@@ -34,7 +34,7 @@ void fill_from_ghost(const Material& material, BodyBlock<Dim>& b, std::size_t k,
   double* q = b.contents.data() + k;
   double energy = std::visit(
       [&](const auto& eos) {
-        double e = eos.energy(rho, w[C::p * n]);
+        double e = frozen(eos, w[C::crushed * n]).energy(rho, w[C::p * n]);
         if constexpr (std::remove_cvref_t<decltype(eos)>::barotropic) e += w[C::extra * n];
         return e;
       },

@@ -88,14 +88,14 @@ void find_loading(const StrengthModel& strength, const Body<Dim>& body, Work<Dim
       if (!(working > 0)) continue;
       const auto v = read.at(first + i);
       const double square = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
-      double e = energy(eos, v[C::rho], v[C::p]);
+      double e = energy(eos, v[C::rho], v[C::p], v[C::crushed]);
       if (has_extra) e += v[C::extra];
       e -= distortion_energy(square, strength.shear_modulus, v[C::rho]);
       const double yield =
           strength.yield({.ep = std::max(v[C::ep], 0.0),
                           .temperature = body.temperature(v[C::rho], e, v[C::temperature_rise]),
                           .pressure = v[C::p],
-                          .compression = v[C::rho] / density(eos)});
+                          .compression = v[C::rho] / rest_density(eos, v[C::crushed])});
       if (square > 0 && square >= at_yield * yield * yield) loading[i] = std::sqrt(1.5 / square);
     }
   });

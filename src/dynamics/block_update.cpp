@@ -75,12 +75,40 @@ void gather_values(const Body<Dim>& body, int slot, const AnyEos& eos, double sh
   w.impedance = scratch.take<double>(w.wide + vector_length);
   const double least = least_sound_squared(eos);
   const double* rho = w.primitive;
-  eos.sound_speeds_squared(rho, w.primitive + C::p * w.wide, w.wide, w.impedance);
+  eos.sound_speeds_squared(rho, w.primitive + C::p * w.wide, w.primitive + C::crushed * w.wide, w.wide,
+                           w.impedance);
 #pragma omp simd
   for (std::size_t k = 0; k < w.wide; ++k) {
     const double c2 = w.impedance[k];
     w.impedance[k] = rho[k] * std::sqrt((c2 > least ? c2 : least) + 4 * shear_modulus / (3 * rho[k]));
   }
+}
+
+/// Where pores are being crushed, waves of loading run along the crush curve, not along the elastic branch:
+///   c^2 = c_e^2/(1 + (dp/dalpha) |dalpha/dp|),  dp/dalpha = (rho c_e^2 - p)/alpha at a fixed density,
+///   |dalpha/dp| = n (alpha - 1)/(p_s - p) along the curve.
+/// Their impedance stands in for that of sound in the cells that are on the curve and are compressed.
+template <int Dim>
+void soften_crushing(const Porous& eos, double shear_modulus, Work<Dim>& w) {
+  using C = Components<Dim>;
+  constexpr double on_curve = 0.97;  // of the pressure there
+  const auto at = [&](int c, std::ptrdiff_t k) {
+    return w.primitive[static_cast<std::size_t>(c) * w.wide + k];
+  };
+  for_each(w.window.box().grown(-1), [&](const Index<Dim>& i) {
+    const std::ptrdiff_t k = w.window.at(i);
+    const double alpha = eos.distension(at(C::crushed, k)), p = at(C::p, k), rho = at(C::rho, k);
+    if (!(alpha > 1) || !(p > 0) || p >= eos.compaction) return;
+    double divergence = 0;
+    for (int d = 0; d < Dim; ++d)
+      divergence += at(C::u + d, k + w.window.stride(d)) - at(C::u + d, k - w.window.stride(d));
+    const double left = std::pow((alpha - 1) / (eos.alpha0 - 1), 1 / eos.exponent),
+                 curve = eos.compaction - (eos.compaction - eos.elastic_limit) * left;
+    if (!(divergence < 0) || p < on_curve * curve) return;
+    const double z = w.impedance[k], elastic = z * z / rho - 4.0 / 3 * shear_modulus;  // rho c_e^2
+    const double slope = (elastic - p) / alpha * eos.exponent * (alpha - 1) / (eos.compaction - p);
+    w.impedance[k] = std::sqrt(rho * (elastic / (1 + std::max(slope, 0.0)) + 4.0 / 3 * shear_modulus));
+  });
 }
 
 template <int Dim>
@@ -125,6 +153,7 @@ void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slo
   w.wide = w.window.size();
   w.whole = cells == Cells::whole;
   gather_values(body, slot, eos, g, w, scratch);
+  if (Scheme::by_cells && eos.porous) soften_crushing(*eos.porous, g, w);  // LLF needs the fastest signal
   if (faces == FaceTime::midstep) detail::find_half_step(body, dt, w, scratch);
   w.rate = scratch.take_filled<double>(w.n * C::contents, 0);
   w.gradient = scratch.take_filled<double>(w.n * Dim * Dim, 0);

@@ -36,8 +36,8 @@ CellSide<Dim> side_of(const AnyEos& eos, const StateBounds& bounds, const Work<D
   CellSide<Dim> s;
   for (std::size_t c = 0; c < s.value.size(); ++c) s.value[c] = w.primitive[c * w.wide + k];
   s.stress = w.stress[k];
-  s.sound =
-      bounds.longitudinal_speed(s.value[C::rho], eos.sound_speed_squared(s.value[C::rho], s.value[C::p]));
+  s.sound = bounds.longitudinal_speed(
+      s.value[C::rho], eos.sound_speed_squared(s.value[C::rho], s.value[C::p], s.value[C::crushed]));
   return s;
 }
 
@@ -61,7 +61,7 @@ Vec<Dim> parting_velocity(const CellSide<Dim>& s, double g, double out) {
 template <int Dim>
 double energy_of(const AnyEos& eos, const Primitives<Dim>& w) {
   using C = Components<Dim>;
-  return eos.energy(w[C::rho], w[C::p]) + w[C::extra];
+  return eos.energy(w[C::rho], w[C::p], w[C::crushed]) + w[C::extra];
 }
 
 /// What one side sends through a face with the speed `mass`/area, without stress.

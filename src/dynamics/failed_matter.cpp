@@ -13,8 +13,8 @@ constexpr double over_failed = 1e-6;  // damage outside of 0 to 1 by less is rou
 
 }  // namespace
 
-double solid_fraction(const Eos& eos, double rho, double e) {
-  return std::visit([&](const auto& m) { return rho / released_density(m, rho, e); }, eos);
+double solid_fraction(const Eos& eos, double rho, double e, double crushed) {
+  return std::visit([&](const auto& m) { return rho / released_density(frozen(m, crushed), rho, e); }, eos);
 }
 
 template <int Dim>
@@ -50,8 +50,9 @@ double FailingCell<Dim>::internal_energy() {
 
 template <int Dim>
 double FailingCell<Dim>::pressure() {
-  const double rho = at(Components<Dim>::rho) / volume_, e = internal_energy();
-  return std::visit([&](const auto& eos) { return eos.pressure(rho, e); }, body_.material.eos);
+  using C = Components<Dim>;
+  return recoil::pressure(body_.material.eos, at(C::rho) / volume_, internal_energy(),
+                          at(C::crushed) / at(C::rho));
 }
 
 template <int Dim>

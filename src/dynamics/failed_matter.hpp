@@ -21,11 +21,12 @@ template <int Dim, class EosModel>
 bool relieve(const EosModel& eos, Primitives<Dim>& w) {
   using C = Components<Dim>;
   if (!(w[C::damage] >= failed_damage && w[C::p] < 0)) return false;
-  double e = eos.energy(w[C::rho], w[C::p]);
+  const auto& matter = frozen(eos, w[C::crushed]);
+  double e = matter.energy(w[C::rho], w[C::p]);
   if constexpr (EosModel::barotropic) e += w[C::extra];
   w[C::p] = 0;
   for (int c = C::s; c < C::ep; ++c) w[c] = 0;
-  w[C::extra] = e - eos.energy(w[C::rho], 0);
+  w[C::extra] = e - matter.energy(w[C::rho], 0);
   return true;
 }
 
@@ -59,8 +60,9 @@ double released_density(const EosModel& eos, double from, double e) {
   return hi;
 }
 
-/// Part of its volume that is solid where matter of the density rho and energy e has failed: 1 without void.
-double solid_fraction(const Eos& eos, double rho, double e);
+/// Part of its volume that is not void where matter of the density rho and energy e, with its distension less
+/// by `crushed`, has failed: 1 without void.
+double solid_fraction(const Eos& eos, double rho, double e, double crushed);
 
 /// relieve() for the averages of one body in one block (BodyBlock::average).
 template <int Dim>

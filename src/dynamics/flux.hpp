@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -31,6 +32,25 @@ inline void reconstruct_plain(const double* q, std::ptrdiff_t step, int count, d
     const Ends at = ends_of([&](std::ptrdiff_t k) { return q[i + k]; }, step, least);
     low[i] = at.low;
     high[i] = at.high;
+  }
+}
+
+/// What porous matter has lost of its distension, by the density of its solid, alpha rho, at the faces: where
+/// pores are crushed the latter hardly changes, while alpha and rho do. Both values of a cell are drawn
+/// towards its own, as by keep_positive(), until they are within bounds.
+inline void reconstruct_crushed(double alpha0, double least, const double* rho, const double* crushed,
+                                std::ptrdiff_t step, int count, const double* rho_low, const double* rho_high,
+                                double* low, double* high) {
+  for (int i = 0; i < count; ++i) {
+    const Ends solid =
+        ends_of([&](std::ptrdiff_t k) { return rho[i + k] * (alpha0 - crushed[i + k]); }, step, least);
+    const double most = alpha0 - 1, own = std::clamp(crushed[i], 0.0, most),
+                 l = alpha0 - solid.low / rho_low[i], h = alpha0 - solid.high / rho_high[i],
+                 least = std::min(l, h), largest = std::max(l, h);
+    double part = least < 0 ? own / (own - least) : 1.0;
+    if (largest > most) part = std::min(part, (most - own) / (largest - own));
+    low[i] = std::clamp(own + part * (l - own), 0.0, most);
+    high[i] = std::clamp(own + part * (h - own), 0.0, most);
   }
 }
 
@@ -112,7 +132,12 @@ void reconstruct(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, in
   };
   plain(C::rho, 1e-6 * eos.rho0 * eos.rho0);
   plain(C::ep, 1e-12);
-  plain(C::temperature_rise, 1e-6);
+  if (eos.porous)
+    detail::reconstruct_crushed(eos.porous->alpha0, 1e-6 * eos.rho0 * eos.rho0, of(C::rho), of(C::crushed),
+                                in.step, in.count, low.value[C::rho] + to, high.value[C::rho] + to,
+                                low.value[C::crushed] + to, high.value[C::crushed] + to);
+  else
+    plain(C::temperature_rise, 1e-6);
   if (in.fails) plain(C::damage, 1e-12);
   if (eos.barotropic) plain(C::extra, 1e-2);
 
@@ -184,11 +209,11 @@ int complete_side(const AnyEos& eos, StateBounds bounds, const Row<Dim>& in, std
                   FaceValues<Dim>& w, int from, double* sound) {
   using C = Components<Dim>;
   const double *own = in.primitive + C::rho * in.cells + in.first + shift, *rho = w.value[C::rho] + from,
-               *stress = w.stress + from;
+               *stress = w.stress + from, *crushed = w.value[C::crushed] + from;
   double* p = w.value[C::p] + from;
 #pragma omp simd
   for (int i = 0; i < in.count; ++i) p[i] = normal_deviator<Dim, Axis>(w.value, i + from) - stress[i];
-  eos.sound_speeds_squared(rho, p, static_cast<std::size_t>(in.count), sound);
+  eos.sound_speeds_squared(rho, p, crushed, static_cast<std::size_t>(in.count), sound);
   int bad = 0;
 #pragma omp simd reduction(+ : bad)
   for (int i = 0; i < in.count; ++i) {
@@ -199,12 +224,12 @@ int complete_side(const AnyEos& eos, StateBounds bounds, const Row<Dim>& in, std
   if (bad == 0) return 0;
   for (int i = 0; i < in.count; ++i) {
     double* value = &w.value[0][i + from];
-    if (bounds.admit(value[0], own[i], eos.sound_speed_squared(value[0], p[i]))) continue;
+    if (bounds.admit(value[0], own[i], eos.sound_speed_squared(value[0], p[i], crushed[i]))) continue;
     if (in.failed && in.failed[in.first + i + shift] == with_void) --bad;  // left to solve_failed_faces()
     for (std::size_t c = 0; c < C::primitives; ++c)
       value[c * FaceValues<Dim>::room] = in.primitive[c * in.cells + in.first + i + shift];
     w.stress[i + from] = in.stress[in.first + i + shift];
-    sound[i] = bounds.longitudinal_speed(value[0], eos.sound_speed_squared(value[0], p[i]));
+    sound[i] = bounds.longitudinal_speed(value[0], eos.sound_speed_squared(value[0], p[i], crushed[i]));
   }
   return bad;
 }
@@ -250,7 +275,13 @@ template <int Dim, int Axis>
     power[i] = out_s * out_u;
     speed[i] = out_u;
   }
-  eos.energies(rho_behind, p_behind, static_cast<std::size_t>(count), energy);
+  alignas(64) double crushed_behind[longest_row];
+  const double* crushed = left.of(C::crushed);
+  if (eos.porous) {
+    for (int i = 0; i < count; ++i) crushed_behind[i] = (speed[i] >= 0 ? left : right).of(C::crushed)[i];
+    crushed = crushed_behind;
+  }
+  eos.energies(rho_behind, p_behind, crushed, static_cast<std::size_t>(count), energy);
 #pragma omp simd
   for (int i = 0; i < count; ++i) energy[i] += kinetic[i];
   if (eos.barotropic) {

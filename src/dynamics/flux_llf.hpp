@@ -23,7 +23,7 @@ CellFlux<Dim> cell_flux(const AnyEos& eos, const Row<Dim>& in, std::ptrdiff_t at
   using C = Components<Dim>;
   const auto value = [&](int c) { return in.primitive[static_cast<std::size_t>(c) * in.cells + at]; };
   const double rho = value(C::rho), u = value(C::u + Axis);
-  double energy = eos.energy(rho, value(C::p));
+  double energy = eos.energy(rho, value(C::p), value(C::crushed));
   if (eos.barotropic) energy += value(C::extra);
   CellFlux<Dim> f;
   f.contents[C::rho] = rho;

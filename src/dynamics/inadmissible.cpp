@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <variant>
 
 #include "cutcell/moves_view.hpp"
@@ -21,16 +22,17 @@ template <int Dim, class EosModel>
                                                     double volume) {
   using C = Components<Dim>;
   const double rho = q[C::rho] / volume;
-  const DensityRange range = density_range(eos);
+  const auto& matter = frozen(eos, q[C::crushed] / q[C::rho]);
+  const DensityRange range = density_range(matter);
   const bool failed = (q[C::damage] > 0) & (q[C::damage] >= failed_damage * q[C::rho]);
-  const bool possible = (rho > range.least * eos.rho0) & (rho < range.most * eos.rho0);
+  const bool possible = (rho > range.least * matter.rho0) & (rho < range.most * matter.rho0);
   double momentum2 = 0;
   for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
-  const double p = eos.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
-  const double c0 = bulk_sound_speed(eos), c2 = eos.sound_speed_squared(rho, p);
+  const double p = matter.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
+  const double c0 = bulk_sound_speed(matter), c2 = matter.sound_speed_squared(rho, p);
   // What is left of a gas at the edge of a void is cold and thin, and its errors may be as large as it is.
   const bool good = possible & (is_fluid<EosModel>() ? std::isfinite(c2) : c2 >= admissible_sound * c0 * c0),
-             dust = failed & (rho > 0) & (rho < range.most * eos.rho0);
+             dust = failed & (rho > 0) & (rho < range.most * matter.rho0);
   return !(good | dust);  // true for NaN
 }
 
@@ -42,12 +44,13 @@ bool tear(const EosModel& eos, BodyBlock<Dim>& b, std::size_t k) {
   const std::size_t n = b.volume.size();
   const double mass = b.contents[k], rho = mass / b.volume[k];
   double& damage = b.contents[C::damage * n + k];
-  if (!(mass > 0 && rho > 0 && rho < eos.rho0) || damage >= failed_damage * mass) return false;
+  const auto& matter = frozen(eos, b.contents[C::crushed * n + k] / mass);
+  if (!(mass > 0 && rho > 0 && rho < matter.rho0) || damage >= failed_damage * mass) return false;
   double momentum2 = 0;
   for (std::size_t d = 0; d < Dim; ++d)
     momentum2 += b.contents[(C::u + d) * n + k] * b.contents[(C::u + d) * n + k];
   const double e = (b.contents[C::energy * n + k] - 0.5 * momentum2 / mass) / mass;
-  if (!(eos.pressure(rho, e) < 0)) return false;
+  if (!(matter.pressure(rho, e) < 0)) return false;
   damage = mass;
   return true;
 }
@@ -76,8 +79,10 @@ std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slo
         const auto is_bad = [&](Index<Dim> i, std::size_t k, int c) {
           i[0] += c;
           const std::size_t at = k + static_cast<std::size_t>(c);
-          Contents<Dim> q;  // what is judged: mass, momentum, energy, damage
+          Contents<Dim> q;  // what is judged: mass, momentum, energy, pores, damage
           for (std::size_t j = 0; j <= Components<Dim>::energy; ++j) q[j] = b.contents[j * n + at];
+          if constexpr (has_pores<std::remove_cvref_t<decltype(eos)>>())
+            q[Components<Dim>::crushed] = b.contents[Components<Dim>::crushed * n + at];
           q[Components<Dim>::damage] = fails ? b.contents[Components<Dim>::damage * n + at] : 0.0;
           return (b.volume[at] > least_judged * grid.full_volume(i)) &
                  beyond_equations<Dim>(eos, q, b.volume[at]);

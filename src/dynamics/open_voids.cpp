@@ -30,7 +30,7 @@ double solid_part(const Body<Dim>& body, const BodyBlock<Dim>& b, std::size_t k)
   double kinetic = 0;
   for (std::size_t d = 0; d < Dim; ++d) kinetic += 0.5 * q[C::u + d] * q[C::u + d] / q[C::rho];
   const double rho = q[C::rho] / b.volume[k], e = (q[C::energy] - kinetic) / q[C::rho];
-  return solid_fraction(body.material.eos, rho, e);
+  return solid_fraction(body.material.eos, rho, e, q[C::crushed] / q[C::rho]);
 }
 
 }  // namespace

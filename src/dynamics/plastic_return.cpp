@@ -13,7 +13,8 @@ namespace recoil {
 
 namespace {
 
-constexpr double least_strain = 1e-6, least_heat = 1e-3;  // 1, K: what is nearer to zero is not counted
+// What is nearer to its bounds is not counted: plastic strain, heating [K], distension.
+constexpr double least_strain = 1e-6, least_heat = 1e-3, least_distension = 1e-6;
 
 /// One cell: contents q (distance n between components) of a fragment of volume v.
 /// @returns by how much the plastic strain grows.
@@ -31,8 +32,11 @@ double return_cell(const StrengthModel& strength, const Body<Dim>& body, double*
   const double e = internal - distortion_energy(trial2, strength.shear_modulus, rho);
   YieldState before{.ep = ep, .temperature = body.temperature(rho, e, q[C::temperature_rise * n] / mass)};
   if constexpr (pressure_dependent<StrengthModel>()) {
-    before.pressure = pressure(body.material.eos, rho, internal);
-    before.compression = rho / density(body.material);
+    double crushed = q[C::crushed * n] / mass;
+    if (const auto* porous = std::get_if<Porous>(&body.material.eos))
+      crushed = porous->crush(rho, internal, crushed);  // as crush_pores() will find it
+    before.pressure = pressure(body.material.eos, rho, internal, crushed);
+    before.compression = rho / rest_density(body.material.eos, crushed);
   }
   if constexpr (damage_dependent<StrengthModel>()) before.damage = q[C::damage * n] / mass;
   const double trial = std::sqrt(trial2);
@@ -42,8 +46,9 @@ double return_cell(const StrengthModel& strength, const Body<Dim>& body, double*
   const double scale = left > 0 ? left : 0.0;
   for (std::size_t c = C::s; c < C::ep; ++c) q[c * n] *= scale;
   q[C::ep * n] = mass * (ep + increment);
-  q[C::temperature_rise * n] +=
-      mass * plastic_heating(body.temperature.thermal(), scale * trial, increment, rho);
+  if (!body.temperature.has_pores())
+    q[C::temperature_rise * n] +=
+        mass * plastic_heating(body.temperature.thermal(), scale * trial, increment, rho);
   return increment;
 }
 
@@ -81,6 +86,29 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
 }
 
 template <int Dim>
+void crush_pores(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
+  using C = Components<Dim>;
+  const auto* eos = std::get_if<Porous>(&body.material.eos);
+  if (!eos) return;
+  BodyBlock<Dim>& b = body.at(slot);
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
+  const auto n = static_cast<std::size_t>(layout.size());
+  const double most = eos->alpha0 - 1;
+  for_each(b.reach, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+    double* const q = b.contents.data() + k;
+    const double mass = q[C::rho * n], volume = b.volume[k];
+    if (!(mass > 0 && volume > 0)) return;
+    double momentum2 = 0;
+    for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[(C::u + d) * n] * q[(C::u + d) * n];
+    const double e = (q[C::energy * n] - 0.5 * momentum2 / mass) / mass, before = q[C::crushed * n] / mass;
+    if (before < -least_distension || before > most + least_distension) ++counters.clamped_distensions;
+    const double now = eos->crush(mass / volume, e, std::clamp(before, 0.0, most));
+    if (now != before) q[C::crushed * n] = mass * now;
+  });
+}
+
+template <int Dim>
 std::int64_t clear_negative_strain(const State<Dim>& state, Body<Dim>& body, int slot) {
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
@@ -89,6 +117,7 @@ std::int64_t clear_negative_strain(const State<Dim>& state, Body<Dim>& body, int
   Box<Dim> rows = b.reach;
   const int width = rows.extent(0);
   rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  const double least = body.temperature.has_pores() ? least_distension : least_heat;
   std::int64_t count = 0;
   for_each(rows, [&](const Index<Dim>& i) {
     const auto first = static_cast<std::size_t>(layout.at(i - state.mesh.block(slot).cells.lo));
@@ -101,7 +130,7 @@ std::int64_t clear_negative_strain(const State<Dim>& state, Body<Dim>& body, int
     for (int k = 0; k < width; ++k) any |= ((strain[k] * mass[k] < 0) | (heat[k] * mass[k] < 0)) ? 1 : 0;
     for (int k = 0; any != 0 && k < width; ++k) {
       const double square = mass[k] * mass[k], s = strain[k] * mass[k], h = heat[k] * mass[k];
-      if (s < -least_strain * square || h < -least_heat * square) ++count;
+      if (s < -least_strain * square || h < -least * square) ++count;
       if (s < 0) strain[k] = 0;
       if (h < 0) heat[k] = 0;
     }
@@ -131,6 +160,7 @@ void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double
 
 #define RECOIL_INSTANTIATE(Dim)                                                                      \
   template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double, BlockLedger<Dim>&); \
+  template void crush_pores<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);                     \
   template std::int64_t clear_negative_strain<Dim>(const State<Dim>&, Body<Dim>&, int);              \
   template void combine_with_old<Dim>(const State<Dim>&, Body<Dim>&, int, double);
 RECOIL_INSTANTIATE(1)

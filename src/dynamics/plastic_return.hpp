@@ -7,12 +7,19 @@
 
 namespace recoil {
 
-/// Radial return of the deviators of one body in one block after a substage of length dt: scales S to the
-/// yield surface, raises ep, and books the plastic heating. The rate of Johnson-Cook is dep/dt of this
-/// substage. Energy, momentum and mass do not change: S and ep carry no budget. Matter that can fail takes
-/// damage by the way, and what has failed bears no tension (dynamics/failed_matter.hpp).
+/// Radial return of the deviators of one body in
+/// one block after a substage of length dt: scales S to the yield surface, raises ep, and books the plastic
+/// heating. The rate of Johnson-Cook is dep/dt of this substage. Energy, momentum and mass do not change: S
+/// and ep carry no budget. Matter that can fail takes damage by the way, and what has failed bears no tension
+/// (dynamics/failed_matter.hpp).
 template <int Dim>
 void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt, BlockLedger<Dim>& ledger);
+
+/// Crushes pores: the states of porous matter in one block that are beyond the crush curve come back to it,
+/// at their density and energy (Porous::crush). Distensions out of bounds are set to them and counted
+/// (clamped-distensions).
+template <int Dim>
+void crush_pores(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 
 /// Sets plastic strain and plastic heating below zero to zero. They carry no budget.
 /// @returns in how many fragments the strain was below -1e-6 or the heating below -1e-3 K.

@@ -85,11 +85,12 @@ void row_primitives(const EosModel& eos, std::size_t first, std::size_t count, s
       kinetic += 0.5 * u * u;
     }
     const double e = q[C::energy * n + k] * per_mass - kinetic;
-    const double p = eos.pressure(rho, e);
+    const auto& matter = frozen(eos, q[C::crushed * n + k] * per_mass);
+    const double p = matter.pressure(rho, e);
     w[C::rho * n + k] = rho;
     w[C::p * n + k] = p;
     for (std::size_t c = C::s; c < C::contents; ++c) w[c * n + k] = q[c * n + k] * per_mass;
-    if constexpr (EosModel::barotropic) w[C::extra * n + k] = e - eos.energy(rho, p);
+    if constexpr (EosModel::barotropic) w[C::extra * n + k] = e - matter.energy(rho, p);
   }
 }
 
@@ -204,11 +205,12 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
         for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
           if ((b.role[k] & regular) == 0) return;
           const double rho = b.average[k], p = b.average[C::p * n + k];
-          const double c2 = eos.sound_speed_squared(rho, p);
+          const auto& matter = frozen(eos, b.average[C::crushed * n + k]);
+          const double c2 = matter.sound_speed_squared(rho, p);
           double sum = 0;
           for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(b.average[(C::u + d) * n + k]);
           const bool dust = fails && p == 0 && b.average[C::damage * n + k] >= failed_damage;
-          if (!std::isfinite(sum + c2) || !(rho > 0) || !(dust || eos.admissible(rho)))
+          if (!std::isfinite(sum + c2) || !(rho > 0) || !(dust || matter.admissible(rho)))
             refuse_state(state, body, slot, i - state.mesh.block(slot).cells.lo, rho, p);
           if (c2 < least) ++counters.floored_sound_speeds;
           sum += Dim * std::sqrt((c2 > least ? c2 : least) + 4 * g / (3 * rho));

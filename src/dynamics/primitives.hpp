@@ -22,9 +22,10 @@ Primitives<Dim> to_primitives(const EosModel& eos, const Contents<Dim>& q, doubl
     kinetic += 0.5 * w[C::u + d] * w[C::u + d];
   }
   const double e = q[C::energy] * per_mass - kinetic;
-  w[C::p] = eos.pressure(rho, e);
+  const auto& matter = frozen(eos, q[C::crushed] * per_mass);
+  w[C::p] = matter.pressure(rho, e);
   for (std::size_t k = C::s; k < C::contents; ++k) w[k] = q[k] * per_mass;
-  if constexpr (EosModel::barotropic) w[C::extra] = e - eos.energy(rho, w[C::p]);
+  if constexpr (EosModel::barotropic) w[C::extra] = e - matter.energy(rho, w[C::p]);
   return w;
 }
 

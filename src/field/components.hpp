@@ -10,9 +10,10 @@ namespace recoil {
 ///   primitives rho,     u [Dim], p,         S [stresses],     ep,     theta,     D,     extra
 /// S is the deviator; its out-of-plane part follows from the trace: 1-D holds xx; planar xx, yy, xy;
 /// axisymmetric rr, zz, rz; 3-D xx, yy, xy, xz, yz. `theta` is the temperature rise by plastic work [K]
-/// (temperature_rise); D is the damage, 1 where matter has failed. D stands last of the contents, so that
-/// kernels may leave it out where matter cannot fail. `extra` is e - e_eos(rho, p) [J/kg], used by equations
-/// of state whose pressure does not know e, and by failed matter with voids.
+/// (temperature_rise), or of porous matter, which has no use for it, alpha0 - alpha, the part of its
+/// distension that it has lost (crushed); D is the damage, 1 where matter has failed. D stands last of the
+/// contents, so that kernels may leave it out where matter cannot fail. `extra` is e - e_eos(rho, p) [J/kg],
+/// used by equations of state whose pressure does not know e, and by failed matter with voids.
 template <int Dim>
 struct Components {
   static constexpr int stresses = Dim == 1 ? 1 : Dim == 2 ? 3 : 5;
@@ -23,6 +24,7 @@ struct Components {
   static constexpr int s = 2 + Dim;
   static constexpr int ep = s + stresses;
   static constexpr int temperature_rise = ep + 1;
+  static constexpr int crushed = temperature_rise;
   static constexpr int damage = temperature_rise + 1;
   static constexpr int contents = damage + 1;
   static constexpr int extra = contents;

@@ -38,20 +38,24 @@ PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents
   p.von_mises = std::sqrt(mises2);
   p.plastic_strain = w[C::ep];
   p.damage = w[C::damage];
+  p.compression = p.density / rest_density(body.material.eos, w[C::crushed]);
+  if (const auto* porous = std::get_if<Porous>(&body.material.eos))
+    p.distension = porous->distension(w[C::crushed]);
   p.thermal_energy = contents[C::energy] / contents[C::rho] - 0.5 * dot(p.velocity, p.velocity) -
                      distortion_energy(mises2, shear_modulus(body.material), p.density);
-  const double solid = p.has_void ? solid_fraction(body.material.eos, p.density, p.thermal_energy) : 1.0;
+  const double solid =
+      p.has_void ? solid_fraction(body.material.eos, p.density, p.thermal_energy, w[C::crushed]) : 1.0;
   p.void_fraction = 1 - solid;
   p.temperature = body.temperature(p.density / solid, p.thermal_energy, w[C::temperature_rise]);
   return p;
 }
 
 template <int Dim>
-double largest_principal(const PointState<Dim>& p) {
+double largest_principal(const PointState<Dim>& state) {
   std::array<double, Components<Dim>::stresses> deviator;
   for (std::size_t c = 0; c < deviator.size(); ++c)
-    deviator[c] = p.stress[c] + (c < (Dim == 1 ? 1U : 2U) ? p.pressure : 0);
-  return largest_principal_deviator<Dim>(deviator.data(), 1) - p.pressure;
+    deviator[c] = state.stress[c] + (c < (Dim == 1 ? 1U : 2U) ? state.pressure : 0);
+  return largest_principal_deviator<Dim>(deviator.data(), 1) - state.pressure;
 }
 
 template double largest_principal<1>(const PointState<1>&);

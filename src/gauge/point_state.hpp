@@ -23,6 +23,8 @@ struct PointState {
   double damage = 0;                           // 1: failed
   bool has_void = false;                       // failed matter that bears no tension
   double void_fraction = 0;                    // part of the volume
+  double compression = 1;                      // density over that without pressure
+  double distension = 1;                       // of porous matter: density of its solid over its own
   double thermal_energy = 0;                   // J/kg, internal without that of elastic distortion
 };
 

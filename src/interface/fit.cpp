@@ -260,7 +260,8 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const BodyBlock<Dim>& 
     wall.value[c] = c == C::rho || c >= C::ep ? mean : std::clamp(at_surface, low - slack, high + slack);
   }
   const double rho = wall.value[C::rho], mean_p = sums.mean[C::p] + sums.base[C::p];
-  const double c2 = std::max(eos.sound_speed_squared(rho, mean_p), least_wall_sound_squared(eos));
+  const auto& matter = frozen(eos, wall.value[C::crushed]);
+  const double c2 = std::max(matter.sound_speed_squared(rho, mean_p), least_wall_sound_squared(matter));
   const double change = (wall.value[C::p] - mean_p) / c2,
                kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
   if (kept != change) ++counters.clamped_fit_densities;
@@ -274,14 +275,16 @@ template <int Dim, class EosModel>
 double loading_of(const EosModel& eos, const Body<Dim>& body, const Primitives<Dim>& w, double working) {
   using C = Components<Dim>;
   if (!(working > 0)) return 0;
-  double e = eos.energy(w[C::rho], w[C::p]);
+  const auto& matter = frozen(eos, w[C::crushed]);
+  double e = matter.energy(w[C::rho], w[C::p]);
   if constexpr (EosModel::barotropic) e += w[C::extra];
   const double square = equivalent_stress_squared<Dim>(w.data() + C::s, 1);
   e -= distortion_energy(square, shear_modulus(body.material), w[C::rho]);
   const double temperature = body.temperature(w[C::rho], e, w[C::temperature_rise]);
-  const double yielding = yield(
-      body.material.strength,
-      {.ep = w[C::ep], .temperature = temperature, .pressure = w[C::p], .compression = w[C::rho] / eos.rho0});
+  const double yielding = yield(body.material.strength, {.ep = w[C::ep],
+                                                         .temperature = temperature,
+                                                         .pressure = w[C::p],
+                                                         .compression = w[C::rho] / matter.rho0});
   return square > 0 && square >= at_yield * yielding * yielding ? std::sqrt(1.5 / square) : 0;
 }
 
@@ -297,7 +300,9 @@ void move_fit(const EosModel& eos, const Grid<Dim>& grid, const Body<Dim>& body,
     working += working_along<Dim, d>(w, slope[d]);
   });
   const double g = shear_modulus(body.material);
-  const double c2 = std::max(eos.sound_speed_squared(w[C::rho], w[C::p]), least_wall_sound_squared(eos));
+  const auto& matter = frozen(eos, w[C::crushed]);
+  const double c2 =
+      std::max(matter.sound_speed_squared(w[C::rho], w[C::p]), least_wall_sound_squared(matter));
   const Response m{w[C::rho] * c2, g, g > 0 ? loading_of(eos, body, w, working) : 0};
   Primitives<Dim> rate{};
   for_each_axis<Dim>([&](auto d) {

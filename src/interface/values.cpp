@@ -62,10 +62,11 @@ void store(BodyBlock<Dim>& b, std::size_t n, int cell, const Primitives<Dim>& w)
 }
 
 template <int Dim>
-double sound_squared(const Material& m, double rho, double p) {
+double sound_squared(const Material& m, double rho, double p, double crushed) {
   return std::visit(
       [&](const auto& eos) {
-        return std::max(eos.sound_speed_squared(rho, p), least_wall_sound_squared(eos));
+        const auto& matter = frozen(eos, crushed);
+        return std::max(matter.sound_speed_squared(rho, p), least_wall_sound_squared(matter));
       },
       m.eos);
 }
@@ -146,7 +147,7 @@ Primitives<Dim> centred(const Grid<Dim>& grid, const Material& material, const C
     for (int f = 0; f < Dim; ++f) x.tangential[e][f] = limited(slopes[e][f], fitted[e][f], block[e][f]);
   }
   const double p0 = w[C::p], p = here.deviator + x.normal_deviator - (here.stress + stress);
-  w[C::rho] += (p - p0) / sound_squared<Dim>(material, w[C::rho], p0);
+  w[C::rho] += (p - p0) / sound_squared<Dim>(material, w[C::rho], p0, w[C::crushed]);
   w[C::p] = p;
   apply(w, x, n);
   return w;
@@ -181,7 +182,7 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
   const double stress = wall.traction + std::clamp(g.stress * ghost.distance, -most_s, most_s);
   const double normal_velocity = s.velocity - s.stress / s.impedance + wall.traction / s.impedance + du;
   const double p0 = v[C::p], p = s.deviator - stress, rho = v[C::rho];
-  const double change = (p - p0) / sound_squared<Dim>(material, rho, p0),
+  const double change = (p - p0) / sound_squared<Dim>(material, rho, p0, v[C::crushed]),
                kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
   if (kept != change) ++counters.clamped_ghost_densities;
   v[C::rho] = rho + kept;

@@ -320,7 +320,8 @@ SurfaceState<Dim> surface_state(const Material& material, const Primitives<Dim>&
   const double rho = value[C::rho], g = shear_modulus(material);
   const double c2 = std::visit(
       [&](const auto& eos) {
-        return std::max(eos.sound_speed_squared(rho, value[C::p]), least_wall_sound_squared(eos));
+        const auto& matter = frozen(eos, value[C::crushed]);
+        return std::max(matter.sound_speed_squared(rho, value[C::p]), least_wall_sound_squared(matter));
       },
       material.eos);
   s.impedance = rho * std::sqrt(c2 + 4 * g / (3 * rho));

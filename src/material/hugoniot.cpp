@@ -1,6 +1,7 @@
 #include "material/hugoniot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <variant>
@@ -58,7 +59,7 @@ class Shock {
         shear_modulus_(shear_modulus(m)) {
     rest_ = {rho0_, 0, 0, 0};
     limit_ = std::min(largest_density(eos_), 20 * rho0_) * (1 - 1e-9);
-    elastic_density_ = find_elastic_limit(m.thermal.initial_temperature);
+    elastic_density_ = first_limit(find_elastic_limit(m.thermal.initial_temperature), find_crush_limit());
     if (!yields()) return;
     const ShockState e = jump(rest_, elastic_density_);
     elastic_ = {e.density, e.velocity, e.stress, e.energy};
@@ -68,23 +69,127 @@ class Shock {
   ShockState at_velocity(double velocity) const {
     const auto behind = [&](double rho) { return at_density(rho).velocity - velocity; };
     if (!(velocity > 0)) return jump(rest_, rho0_);
+    if (has_pores() && !(velocity <= elastic_.velocity)) return porous_at_velocity(velocity);
     const double top = last_density();
     if (behind(top) < 0) fail(velocity);
     return at_density(rising_root(behind, rho0_, top));
   }
 
-  double largest_velocity() const { return at_density(last_density()).velocity; }
+  double largest_velocity() const {
+    if (!has_pores()) return at_density(last_density()).velocity;
+    double low = elastic_.velocity, high = 1;
+    for (; high < fastest && reaches(rest_, high); high *= 2) low = high;
+    for (int i = 0; i < 60 && high < fastest; ++i) {
+      const double middle = 0.5 * (low + high);
+      (reaches(rest_, middle) ? low : high) = middle;
+    }
+    return low;
+  }
 
  private:
-  ShockState at_density(double rho) const {
-    if (!yields() || rho <= elastic_density_) return jump(rest_, rho);
-    ShockState s = jump(elastic_, rho);
-    if (s.shock_speed >= elastic_speed_) return jump(rest_, rho);  // one front
+  static constexpr double fastest = 1e5;  // m/s that is asked for of porous matter
+
+  bool has_pores() const { return std::holds_alternative<Porous>(eos_); }
+
+  /// Behind a front of the speed `ahead` against the matter that it runs into, which brings it to `velocity`:
+  /// density and energy by the jump conditions, stress by the equation of state.
+  ShockState porous_behind(const Front& from, double velocity, double ahead) const {
+    const double du = velocity - from.velocity;
+    ShockState s;
+    s.velocity = velocity;
+    s.shock_speed = from.velocity + ahead;
+    s.density = from.density / (1 - du / ahead);
+    s.energy = from.energy + 0.5 * du * du + from.stress * (1 / from.density - 1 / s.density);
+    s.pressure = pressure_of(s.density, s.energy);
+    for (int i = 0; i < 4; ++i) load(s);  // the temperature depends on the strength, and the strength on it
+    s.stress = s.pressure + deviator(s);
+    complete(s);
+    return s;
+  }
+  /// The least speed of such a front, at which it compresses to the end of the equation of state.
+  double least_ahead(const Front& from, double velocity) const {
+    return (velocity - from.velocity) / (1 - from.density / limit_);
+  }
+  /// What momentum asks for less the stress that there is [Pa]: rises with the speed of the front.
+  double missing_stress(const Front& from, double velocity, double ahead) const {
+    return from.stress + from.density * ahead * (velocity - from.velocity) -
+           porous_behind(from, velocity, ahead).stress;
+  }
+  /// The interval [low, high] in which the fastest such front lies, from above; low 0: there is none.
+  std::array<double, 2> bracket(const Front& from, double velocity) const {
+    const double least = least_ahead(from, velocity);
+    double high = 2 * least + 2e4;
+    while (!(missing_stress(from, velocity, high) > 0) && high < 1e9) high *= 2;
+    while (high - least > 1e-4 * least) {
+      const double low = least + 0.8 * (high - least);
+      if (missing_stress(from, velocity, low) <= 0) return {low, high};
+      high = low;
+    }
+    return {0, 0};
+  }
+  bool reaches(const Front& from, double velocity) const { return bracket(from, velocity)[0] > 0; }
+
+  /// The density behind a shock into porous matter need not rise with its strength (much heat, little solid):
+  /// the speed of the front is looked for.
+  ShockState porous_shock(const Front& from, double velocity) const {
+    const auto [low, high] = bracket(from, velocity);
+    if (!(low > 0)) fail(velocity);
+    const auto missing = [&](double ahead) { return missing_stress(from, velocity, ahead); };
+    return porous_behind(from, velocity, rising_root(missing, low, high));
+  }
+  ShockState porous_at_velocity(double velocity) const {
+    if (!yields() || !reaches(elastic_, velocity)) return porous_shock(rest_, velocity);
+    ShockState s = porous_shock(elastic_, velocity);
+    if (s.shock_speed >= elastic_speed_) return porous_shock(rest_, velocity);  // one front
+    announce(s);
+    return s;
+  }
+
+  /// Puts the elastic precursor into the state behind the second front.
+  void announce(ShockState& s) const {
     s.has_precursor = true;
     s.precursor_speed = elastic_speed_;
     s.precursor_velocity = elastic_.velocity;
     s.precursor_stress = elastic_.stress;
+  }
+
+  /// The speeds of waves in a state that is known otherwise.
+  void complete(ShockState& s) const {
+    const double lost = crushed(s), c2 = sound_speed_squared(eos_, s.density, s.pressure, lost);
+    s.bulk_speed = std::sqrt(std::max(c2, 0.0));
+    s.release_speed = longitudinal(s.density, s.pressure, lost);
+  }
+
+  ShockState at_density(double rho) const {
+    if (!yields() || rho <= elastic_density_) return jump(rest_, rho);
+    ShockState s = jump(elastic_, rho);
+    if (s.shock_speed >= elastic_speed_) return jump(rest_, rho);  // one front
+    announce(s);
     return s;
+  }
+
+  /// The smaller of two densities of which 0 stands for none. Where pores begin to crush and matter to yield
+  /// one after the other, the two fronts behind the first one are taken as one.
+  static double first_limit(double a, double b) { return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); }
+
+  /// The density at which pores begin to crush; 0: there are none, or they crush at once.
+  double find_crush_limit() const {
+    const auto* porous = std::get_if<Porous>(&eos_);
+    if (!porous || !(porous->elastic_limit > 0)) return 0;
+    double low = rho0_, high = std::min(limit_, 0.999 * porous->frozen(0).largest_density());
+    for (int i = 0; i < 100 && low < high; ++i) {
+      const double middle = 0.5 * (low + high);
+      if (middle == low || middle == high) break;
+      (crushed(jump(rest_, middle)) > 0 ? high : low) = middle;
+    }
+    return low;
+  }
+
+  /// What porous matter has lost of its distension in a state, by loading alone.
+  double crushed(const ShockState& s) const { return crushed_by(eos_, s.density, s.energy); }
+
+  double pressure_of(double rho, double e) const {
+    return recoil::pressure(eos_, rho, e, crushed_by(eos_, rho, e));
   }
 
   bool yields() const { return elastic_density_ > 0 && elastic_density_ < limit_; }
@@ -115,9 +220,10 @@ class Shock {
   /// Stress and energy behind a front to density s.density that carries this deviator: Newton's method over
   /// the energy, which ends at once where pressure is linear in it.
   void close(const Front& from, double dv, double deviator, ShockState& s) const {
+    if (std::holds_alternative<Porous>(eos_)) return close_porous(from, dv, deviator, s);
     double e = 0;
     for (int i = 0; i < 40; ++i) {
-      const double p = pressure(eos_, s.density, e), slope = pressure(eos_, s.density, e + 1) - p;
+      const double p = pressure_of(s.density, e), slope = pressure_of(s.density, e + 1) - p;
       const double known = p + deviator + slope * (from.energy - e + 0.5 * from.stress * dv);
       s.stress = known / (1 - 0.5 * slope * dv);
       s.energy = from.energy + 0.5 * (s.stress + from.stress) * dv;
@@ -125,6 +231,21 @@ class Shock {
       e = s.energy;
     }
     s.pressure = s.stress - deviator;
+  }
+
+  /// The same where pressure over energy bends, as pores are gone: bracketed. Without a root, at densities
+  /// that no shock reaches, the state is no number.
+  void close_porous(const Front& from, double dv, double deviator, ShockState& s) const {
+    const auto missing = [&](double e) {
+      return e - from.energy - 0.5 * (pressure_of(s.density, e) + deviator + from.stress) * dv;
+    };
+    double lo = from.energy, step = 1e3;
+    while (missing(lo) > 0 && step < 1e10) lo -= step, step *= 2;
+    double hi = lo;
+    for (step = 1e3; !(missing(hi) > 0) && step < 1e10; step *= 2) lo = hi, hi += step;
+    s.energy = missing(lo) <= 0 && missing(hi) > 0 ? rising_root(missing, lo, hi) : unset;
+    s.pressure = pressure_of(s.density, s.energy);
+    s.stress = s.pressure + deviator;
   }
 
   /// The jump conditions of one front from `from` to density rho.
@@ -145,21 +266,22 @@ class Shock {
     s.pressure = s.stress - deviator(s);
     const double du = std::sqrt(std::max((s.stress - from.stress) * dv, 0.0));
     s.velocity = from.velocity + du;
-    s.shock_speed =
-        du > 0 ? from.velocity + (s.stress - from.stress) / (from.density * du) : longitudinal(s.density, 0);
-    const double c2 = sound_speed_squared(eos_, rho, s.pressure);
-    s.bulk_speed = std::sqrt(std::max(c2, 0.0));
-    s.release_speed = longitudinal(rho, s.pressure);
+    s.shock_speed = du > 0 ? from.velocity + (s.stress - from.stress) / (from.density * du)
+                           : longitudinal(s.density, 0, 0);
+    complete(s);
     return s;
   }
 
-  double longitudinal(double rho, double p) const {
-    const double c2 = sound_speed_squared(eos_, rho, p) + 4 * shear_modulus_ / (3 * rho);
+  double longitudinal(double rho, double p, double lost) const {
+    const double c2 = sound_speed_squared(eos_, rho, p, lost) + 4 * shear_modulus_ / (3 * rho);
     return std::sqrt(std::max(c2, 0.0));
   }
 
   YieldState state_of(const ShockState& s, double ep, double temperature) const {
-    return {.ep = ep, .temperature = temperature, .pressure = s.pressure, .compression = s.density / rho0_};
+    return {.ep = ep,
+            .temperature = temperature,
+            .pressure = s.pressure,
+            .compression = s.density / rest_density(eos_, crushed(s))};
   }
 
   /// -S_nn [Pa], at most 2/3 of the yield stress.
@@ -178,7 +300,8 @@ class Shock {
       return q > 0 ? plastic_increment(strength_, q, state_of(s, 0, temperature), 1) : 0.0;
     };
     const double q = 1.5 * deviator(s);  // of the round before
-    s.temperature = law_(s.density, s.energy - distortion_energy(q * q, shear_modulus_, s.density), 0);
+    s.temperature =
+        law_(s.density, s.energy - distortion_energy(q * q, shear_modulus_, s.density), crushed(s));
     s.plastic_strain = strain(total, s.temperature);
     if (s.plastic_strain > 0 && law_.thermal().rule == Thermal::Rule::plastic_work)
       heat_along(s, total, strain);
@@ -211,7 +334,7 @@ class Shock {
     double lo = rho0_, hi = limit_;
     const auto fine = [&](double rho) {
       const ShockState s = at_density(rho);
-      const double slope = pressure(eos_, rho, s.energy + 1) - pressure(eos_, rho, s.energy);
+      const double slope = pressure_of(rho, s.energy + 1) - pressure_of(rho, s.energy);
       return 0.5 * slope * (1 / rho0_ - 1 / rho) < 0.99 && s.stress >= 0 && std::isfinite(s.velocity);
     };
     if (fine(hi)) return hi;
@@ -270,7 +393,8 @@ bool flyer_leaves(const Impact& impact, const Material& flyer, const Material& t
 }
 
 double unloading_time(const ShockState& state, const Material& material, double thickness) {
-  return thickness / state.shock_speed + thickness / bulk_sound_speed(material);
+  const double solid = thickness * density(material) / solid_density(material);
+  return thickness / state.shock_speed + solid / bulk_sound_speed(material);
 }
 
 }  // namespace recoil

@@ -29,7 +29,8 @@ struct ShockState {
 /// The state behind a face pushed at `velocity` >= 0 [m/s] into this material at rest.
 /// Without strength: the principal Hugoniot. With strength: one elastic shock to the elastic limit and
 /// one plastic shock, each by the jump conditions, with S_nn = -(4/3) G ln(rho/rho0) while elastic
-/// (the hypoelastic law integrated) and -(2/3) Y after it.
+/// (the hypoelastic law integrated) and -(2/3) Y after it. Porous matter has the state of its crush curve,
+/// and a first front to where its pores begin to crush or it yields, whichever comes first.
 /// @throws PhysicsError where no admissible density reaches that velocity.
 ShockState shock_at_velocity(const Material& material, double velocity);
 

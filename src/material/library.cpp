@@ -24,6 +24,7 @@ using config::Record;
 using namespace model_keys;
 
 constexpr const char* eos_doc = "which equation of state";
+constexpr const char* solid_doc = "equation of state of the solid of porous matter";
 constexpr const char* strength_doc = "which strength model";
 constexpr const char* damage_doc = "which damage model: how matter comes to fail";
 constexpr const char* failed_doc = "what failed matter still bears";
@@ -97,6 +98,8 @@ void read_model(const Node& table, const char* doc, Variant& into, Diagnostics& 
     if constexpr (requires { model.path; })  // of a file: seen from the folder of the one that names it
       if (record.good("file"))
         model.path = std::filesystem::path(record.place("file").file).parent_path() / model.file;
+    if constexpr (requires { model.solid; })
+      if (record.good("solid")) read_model(*record.node("solid"), solid_doc, model.solid, out);
     if constexpr (requires { model.problem(); })
       if (const char* problem = model.problem()) out.error(table.key_place, problem);
     into = model;
@@ -135,6 +138,17 @@ void read_table(const Node& eos, Tabular& model, Thermal& thermal, Diagnostics& 
   constexpr double step = 1;  // K
   thermal.specific_heat =
       (model.table->energy_at(model.rho0, t + step) - model.table->energy_at(model.rho0, t)) / step;
+}
+
+/// Porous matter takes what follows from its solid, and has no place for a temperature of its own.
+void join_porous(const Record& record, Material& material, Diagnostics& out) {
+  auto* porous = std::get_if<Porous>(&material.eos);
+  if (!porous) return;
+  if (const char* problem = porous->settle()) out.error(record.node("eos")->key_place, problem);
+  if (material.thermal.rule == Thermal::Rule::plastic_work)
+    out.error(record.node("thermal")->find("temperature")->place,
+              "porous matter has its temperature from the internal energy",
+              "leave temperature out, or say \"energy\"");
 }
 
 /// The damage of Johnson and Holmquist has constants in common with their strength.
@@ -248,35 +262,6 @@ std::optional<Node> table_of(const std::string& name, Search& search, const Plac
   return read_document(file.string(), search.out).root;
 }
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "\"";
-}
-
-template <class Model>
-std::string lines_of(const Model& model) {
-  std::string text;
-  // A file is kept beside what is written.
-  if constexpr (requires { model.path; })
-    text += "file = " + quoted(std::filesystem::path(model.file).filename().string()) + "\n";
-  for (const auto& p : Model::parameters()) {
-    const double value = model.*p.member;
-    if (!std::isnan(value)) text += std::string(p.name) + " = " + written(p, value) + "\n";
-  }
-  return text;
-}
-
-template <class Variant>
-std::string model_lines(const Variant& variant) {
-  return std::visit(
-      [](const auto& model) { return "kind = \"" + std::string(model.kind) + "\"\n" + lines_of(model); },
-      variant);
-}
-
 template <class Variant>
 void add_sections(std::vector<config::Section>& all, const std::string& name, const char* doc) {
   for_each_model<Variant>([&](const auto& model) {
@@ -321,11 +306,15 @@ std::optional<Material> read_material(const std::string& name, const Node& table
   material.doubt = record.text("doubt");
   if (record.good("eos")) read_model(*record.node("eos"), eos_doc, material.eos, out);
   if (record.good("strength")) read_model(*record.node("strength"), strength_doc, material.strength, out);
-  auto* tabular = std::get_if<Tabular>(&material.eos);
+  Tabular* table_of_states = tabular(material.eos);
   if (record.good("thermal"))
-    material.thermal = read_thermal(*record.node("thermal"), tabular != nullptr, out);
-  if (tabular && out.error_count() == errors)
-    read_table(*record.node("eos"), *tabular, material.thermal, out);
+    material.thermal = read_thermal(*record.node("thermal"), table_of_states != nullptr, out);
+  if (table_of_states && out.error_count() == errors) {
+    const Node* eos = record.node("eos");
+    if (const Node* solid = eos->find("solid")) eos = solid;
+    read_table(*eos, *table_of_states, material.thermal, out);
+  }
+  if (out.error_count() == errors) join_porous(record, material, out);
   if (record.good("damage")) read_model(*record.node("damage"), damage_doc, material.damage, out);
   join_ceramic(record, material, out);
   if (record.good("failed")) material.failed = read_constants<FailedMatter>(*record.node("failed"), out);
@@ -350,35 +339,13 @@ std::vector<config::Section> material_sections() {
   std::vector<config::Section> all;
   all.push_back({"material.*", "a material of this case", top_keys(true)});
   add_sections<Eos>(all, "material.*.eos", eos_doc);
+  add_sections<PorousSolid>(all, "material.*.eos.solid", solid_doc);
   add_sections<Strength>(all, "material.*.strength", strength_doc);
   add_sections<Damage>(all, "material.*.damage", damage_doc);
   all.push_back({"material.*.failed", failed_doc, keys_of_model<FailedMatter>()});
   all.push_back({"material.*.thermal", "heat and temperature", thermal_keys()});
   all.push_back({"material.*.facts", "for checks of plausibility only", keys_of_model<Facts>(false)});
   return all;
-}
-
-std::string to_toml(const Material& m, const std::string& table) {
-  const std::string prefix = table.empty() ? "" : table + ".";
-  std::string text = table.empty() ? "" : "[" + table + "]\n";
-  text += "title = " + quoted(m.title) + "\ncite = [";
-  for (std::size_t i = 0; i < m.cite.size(); ++i) text += (i > 0 ? ", " : "") + quoted(m.cite[i]);
-  text += "]\n";
-  if (!m.doubt.empty()) text += "doubt = " + quoted(m.doubt) + "\n";
-  text += "\n[" + prefix + "eos]\n" + model_lines(m.eos);
-  text += "\n[" + prefix + "strength]\n" + model_lines(m.strength);
-  if (can_fail(m.damage)) {
-    text += "\n[" + prefix + "damage]\n" + model_lines(m.damage);
-    text += "\n[" + prefix + "failed]\n" + lines_of(m.failed);
-  }
-  const bool by_energy = m.thermal.rule == Thermal::Rule::energy;
-  text += "\n[" + prefix + "thermal]\ntemperature = " + (by_energy ? "\"energy\"\n" : "\"plastic-work\"\n");
-  Thermal thermal = m.thermal;
-  if (std::holds_alternative<Tabular>(m.eos)) thermal.specific_heat = unset;
-  text += lines_of(thermal);
-  const std::string facts = lines_of(m.facts);
-  if (!facts.empty()) text += "\n[" + prefix + "facts]\n" + facts;
-  return text;
 }
 
 }  // namespace recoil

@@ -32,8 +32,8 @@ void check_heat(const Material& m, Findings& out) {
       out.push_back({value + " is " + number(c / expected, "") + " times the rule of Dulong and Petit",
                      "3 R/M is " + number(expected, "J/(kg K)") + "; are two materials exchanged?",
                      "thermal.specific-heat"});
-  } else if (const double volumetric = c * density(m); volumetric < 1.1e6 || volumetric > 5.5e6) {
-    out.push_back({value + " is unusual for " + number(density(m), "kg/m3"),
+  } else if (const double volumetric = c * solid_density(m); volumetric < 1.1e6 || volumetric > 5.5e6) {
+    out.push_back({value + " is unusual for " + number(solid_density(m), "kg/m3"),
                    "c rho is " + number(volumetric / 1e6, "MJ/(m3 K)") + "; solids have 1.1 to 5.5",
                    "thermal.specific-heat"});
   }
@@ -121,6 +121,7 @@ void check_gamma0(double gamma0, const char* key, Findings& out) {
 void check_eos(const Material& /*m*/, const LinearEos& /*eos*/, Findings& /*out*/) {}
 void check_eos(const Material& /*m*/, const PolynomialEos& /*eos*/, Findings& /*out*/) {}
 void check_eos(const Material& /*m*/, const Tabular& /*eos*/, Findings& /*out*/) {}
+void check_eos(const Material& m, const Porous& eos, Findings& out);
 
 void check_eos(const Material& m, const MieGruneisen& eos, Findings& out) {
   check_slope(m, eos.s, "eos.s", out);
@@ -154,6 +155,17 @@ void check_eos(const Material& /*m*/, const Jwl& eos, Findings& out) {
     out.push_back({"detonation-velocity " + number(eos.detonation_velocity, "m/s") +
                        " is not what the other constants give",
                    "they give " + number(d, "m/s"), "eos.detonation-velocity"});
+}
+
+/// Its solid, and how much of it there is.
+void check_eos(const Material& m, const Porous& eos, Findings& out) {
+  const std::size_t before = out.size();
+  std::visit([&](const auto& solid) { check_eos(m, solid, out); }, eos.solid);
+  for (std::size_t k = before; k < out.size(); ++k)
+    if (out[k].key.starts_with("eos.")) out[k].key.insert(4, "solid.");
+  if (eos.alpha0 > 10)
+    out.push_back({"distension " + number(eos.alpha0, "") + " is that of a foam",
+                   "the model knows crushed pores, no foam; solids in powders have 1 to 3", "eos.density"});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "material/damage/damage.hpp"
@@ -63,6 +64,12 @@ struct Material {
 
 /// Density at rest [kg/m3].
 inline double density(const Material& m) { return density(m.eos); }
+
+/// Density without pressure and without pores [kg/m3].
+inline double solid_density(const Material& m) {
+  const auto* porous = std::get_if<Porous>(&m.eos);
+  return porous ? porous->rho0_solid : density(m);
+}
 
 /// Shear modulus [Pa]; 0 for a fluid.
 inline double shear_modulus(const Material& m) { return shear_modulus(m.strength); }

@@ -55,6 +55,10 @@ std::vector<Key> keys_of_model(bool may_require = true) {
       keys.push_back(std::move(key));
     }
   for (const auto& p : Model::parameters()) keys.push_back(key_of(p, may_require && p.required()));
+  if constexpr (requires(Model m) { m.solid; }) {
+    const char* doc = "equation of state of the solid: a table with its kind";
+    keys.push_back({.name = "solid", .type = Key::Type::table, .required = may_require, .doc = doc});
+  }
   return keys;
 }
 

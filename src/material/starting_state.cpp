@@ -15,8 +15,9 @@ namespace {
 /// e [J/kg] of matter of one density and temperature.
 double energy_of(const Material& m, const TemperatureLaw& law, double rho, double t) {
   if (law.thermal().rule == Thermal::Rule::plastic_work) return law.isentrope(rho);
-  if (const auto* table = std::get_if<Tabular>(&m.eos)) return table->table->energy_at(rho, t);
-  return law.isentrope(rho) + law.thermal().specific_heat * (t - law.on_isentrope(rho));
+  const double solid = law.solid_density(rho, 0);
+  if (const auto* table = tabular(m.eos)) return table->table->energy_at(solid, t);
+  return law.isentrope(solid) + law.thermal().specific_heat * (t - law.on_isentrope(solid));
 }
 
 }  // namespace
@@ -34,6 +35,8 @@ StartingState state_at_start(const Material& m, std::optional<double> pressure,
   const bool by_work = m.thermal.rule == Thermal::Rule::plastic_work;
   if (by_work && t < start)
     fail(fmt::format("where only plastic work heats, the least temperature is the initial {:.6g} K", start));
+  if (const auto* porous = std::get_if<Porous>(&m.eos); porous && p > porous->elastic_limit)
+    fail(fmt::format("its pores are crushed above {:.6g} GPa", porous->elastic_limit * 1e-9));
   const auto excess = [&](double rho) { return recoil::pressure(m.eos, rho, energy_of(m, law, rho, t)) - p; };
   // From rest to the nearest density that has this pressure.
   const DensityRange range = density_range(m.eos);

@@ -59,11 +59,19 @@ class TemperatureLaw {
     if (density(eos) > 0) std::visit([this](const auto& m) { tabulate(m); }, eos);  // not of a rigid body
   }
 
-  /// Temperature [K] at density rho [kg/m3], energy e and temperature rise by plastic work `heat` [K].
+  /// Temperature [K] at density rho [kg/m3], energy e and temperature rise by plastic work `heat` [K]; of
+  /// porous matter with what it has lost of its distension in place of `heat`. All else is of the solid.
   double operator()(double rho, double e, double heat) const {
     return thermal_.rule == Thermal::Rule::plastic_work ? thermal_.initial_temperature + heat
-                                                        : by_energy(rho, e);
+                                                        : by_energy(solid_density(rho, heat), e);
   }
+
+  /// Density of the solid [kg/m3] of porous matter that has lost `crushed` of its distension; of other matter
+  /// its own.
+  double solid_density(double rho, double crushed) const {
+    return has_pores() ? rho * std::clamp(distension_ - crushed, 1.0, distension_) : rho;
+  }
+  bool has_pores() const { return distension_ > 0; }
 
   /// That of the energy rule, whichever rule the material has.
   double by_energy(double rho, double e) const {
@@ -103,6 +111,10 @@ class TemperatureLaw {
   }
   void tabulate(const LinearEos& eos) { fill(eos); }  // gamma0_ = 0: the isentrope stays at T0
   void tabulate(const PolynomialEos& eos) { fill(eos); }
+  void tabulate(const Porous& eos) {
+    std::visit([this](const auto& m) { tabulate(m); }, eos.solid);
+    distension_ = eos.alpha0;
+  }
   void tabulate(const Tabular& eos) {
     own_ = eos.table;
     fill(eos);
@@ -159,6 +171,7 @@ class TemperatureLaw {
 
   Thermal thermal_;
   double rho0_ = 1, gamma0_ = 0;         // kg/m3, 1
+  double distension_ = 0;                // of porous matter at rest; 0: of other
   double lowest_ = 0, spacing_ = 1;      // kg/m3
   int rest_ = 0;                         // place of rest in the table
   std::vector<double> table_{0.0, 0.0};  // J/kg

@@ -61,7 +61,8 @@ void write_state(const FieldVariable& v, const PointState<Dim>& p, float* to) {
   if (name == "plastic-strain") put(p.plastic_strain);
   if (name == "temperature") put(p.temperature);
   if (name == "damage") put(p.damage);
-  if (name == "void-fraction") put(p.void_fraction);
+  if (name == "void-fraction")
+    put(p.distension > 1 ? 1 - (1 - p.void_fraction) / p.distension : p.void_fraction);
   if (name == "stress")
     for (const int c : stress_order<Dim>()) put(c < 0 ? 0 : p.stress[c] * 1e-9);
   if (name == "von-mises") put(p.von_mises * 1e-9);

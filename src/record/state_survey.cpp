@@ -113,7 +113,7 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
   note(StateCheck::negative_strain, no_strain - p.plastic_strain, p.plastic_strain, 0);
   const TemperatureLaw& law = body.temperature;
   const bool by_energy = law.thermal().rule == Thermal::Rule::energy;
-  const double solid = p.density / (1 - p.void_fraction);
+  const double solid = p.density * p.distension / (1 - p.void_fraction);
   const double coldest = by_energy ? law.on_isentrope(solid) : law.thermal().initial_temperature;
   if (!body.detonation)  // temperatures of products are not known
     note(StateCheck::negative_heat, coldest - (by_energy ? noise : no_heat) - p.temperature,
@@ -129,7 +129,7 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
   note(StateCheck::tension, tension - bounds.tension, tension, bounds.tension);
   // A model that softens melts by its own temperature; any other state is held against that of its energy.
   const double melting =
-      bounds.softens ? melting_temperature(body.material.strength, p.density / rho0) : bounds.melting;
+      bounds.softens ? melting_temperature(body.material.strength, p.compression) : bounds.melting;
   if (bounds.softens && p.temperature >= melting) {
     note(StateCheck::molten, p.temperature - melting, p.temperature, melting);
   } else {

@@ -37,6 +37,7 @@ std::vector<std::pair<const char*, std::int64_t*>> Counters::list() {
           {"contacts-lost", &contacts_lost},
           {"cleared-strains", &cleared_strains},
           {"clamped-damage", &clamped_damage},
+          {"clamped-distensions", &clamped_distensions},
           {"torn-states", &torn_states},
           {"flat-refinements", &flat_refinements},
           {"faces-of-dust", &faces_of_dust},

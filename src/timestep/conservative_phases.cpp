@@ -210,9 +210,10 @@ void release_detonations(StepRun<Dim>& step, double dt) {
 
 template <int Dim>
 void clear_negative_strain(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"clear negative strain", {}, {}, contents};
+  static constexpr FieldAccess access{"clear negative strain", {}, volume, contents};
   step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
     step.counters(slot).cleared_strains += clear_negative_strain(step.state(), body, slot);
+    crush_pores(step.state(), body, slot, step.counters(slot));  // of what has been moved
   });
 }
 

@@ -209,6 +209,8 @@ void return_to_yield(StepRun<Dim>& step, double dt, double old_weight) {
   step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
     return_to_yield(step.state(), body, slot, dt, step.state().ledger[slot]);
     if (old_weight > 0) combine_with_old(step.state(), body, slot, old_weight);
+    // Of what has been combined: a mean of states on the crush curve is beyond it.
+    crush_pores(step.state(), body, slot, step.counters(slot));
   });
 }
 

@@ -261,7 +261,7 @@ double unloading_velocity(const ShockState& s, const Material& m) {
   if (shear > 0)
     elastic = s.plastic_strain > 0 ? elastic_impedance * s.release_speed * s.yield / shear : s.stress;
   elastic = std::min(elastic, s.stress);
-  const double bulk_impedance = 0.5 * (s.density * s.bulk_speed + density(m) * bulk_sound_speed(m));
+  const double bulk_impedance = 0.5 * (s.density * s.bulk_speed + solid_density(m) * bulk_sound_speed(m));
   return (elastic > 0 ? elastic / elastic_impedance : 0) + (s.stress - elastic) / bulk_impedance;
 }
 

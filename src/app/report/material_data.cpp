@@ -42,6 +42,8 @@ Json material_json(const Material& m) {
   j["tables"] = {table_of_kind("equation of state", m.eos), table_of_kind("strength", m.strength),
                  table_of("temperature", by_energy ? "by energy" : "by plastic work", m.thermal),
                  table_of("facts", "for checks", m.facts)};
+  if (const auto* porous = std::get_if<Porous>(&m.eos))
+    j["tables"].insert(j["tables"].begin() + 1, table_of_kind("its solid", porous->solid));
   return j;
 }
 

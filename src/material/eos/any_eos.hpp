@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <variant>
 
 #include "material/eos/eos.hpp"
 
@@ -12,15 +13,19 @@ struct AnyEos {
   const Eos& eos;
   double rho0 = density(eos);  // kg/m3
   bool barotropic = recoil::barotropic(eos);
+  const Porous* porous = std::get_if<Porous>(&eos);  // null: there are no pores
 
   // Single states: each call finds out anew which equation of state it is.
-  double pressure(double rho, double e) const { return recoil::pressure(eos, rho, e); }
-  double energy(double rho, double p) const { return recoil::energy(eos, rho, p); }
-  double sound_speed_squared(double rho, double p) const { return recoil::sound_speed_squared(eos, rho, p); }
+  double energy(double rho, double p, double crushed) const { return recoil::energy(eos, rho, p, crushed); }
+  double sound_speed_squared(double rho, double p, double crushed) const {
+    return recoil::sound_speed_squared(eos, rho, p, crushed);
+  }
 
-  // `count` states, adjacent in memory.
-  void energies(const double* rho, const double* p, std::size_t count, double* e) const;
-  void sound_speeds_squared(const double* rho, const double* p, std::size_t count, double* c2) const;
+  // `count` states, adjacent in memory. Only where there are pores is `crushed` read.
+  void energies(const double* rho, const double* p, const double* crushed, std::size_t count,
+                double* e) const;
+  void sound_speeds_squared(const double* rho, const double* p, const double* crushed, std::size_t count,
+                            double* c2) const;
 };
 
 inline double bulk_sound_speed(const AnyEos& any) { return bulk_sound_speed(any.eos); }

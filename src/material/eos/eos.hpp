@@ -1,14 +1,17 @@
 #pragma once
 
+#include <utility>
 #include <variant>
 
 #include "material/eos/density_range.hpp"
+#include "material/eos/frozen.hpp"
 #include "material/eos/ideal_gas.hpp"
 #include "material/eos/jwl.hpp"
 #include "material/eos/linear.hpp"
 #include "material/eos/mie_gruneisen.hpp"
 #include "material/eos/mie_gruneisen_cubic.hpp"
 #include "material/eos/polynomial.hpp"
+#include "material/eos/porous.hpp"
 #include "material/eos/tabular.hpp"
 #include "material/eos/tillotson.hpp"
 
@@ -17,7 +20,7 @@ namespace recoil {
 /// Every equation of state, in the order that help and schema show. Adding one: a header beside
 /// these, its name here; the generic tests then cover it.
 using Eos = std::variant<MieGruneisen, LinearEos, MieGruneisenCubic, Tillotson, IdealGas, Jwl, PolynomialEos,
-                         Tabular>;
+                         Tabular, Porous>;
 
 /// Density at rest [kg/m3].
 inline double density(const Eos& eos) {
@@ -31,19 +34,41 @@ inline double bulk_sound_speed(const Eos& eos) {
 
 /// Pressure [Pa] at density rho [kg/m3] and specific internal energy e [J/kg], 0 at rest. For single states:
 /// loops over cells visit once.
-inline double pressure(const Eos& eos, double rho, double e) {
-  return std::visit([=](const auto& model) { return model.pressure(rho, e); }, eos);
+/// @param crushed of porous matter: how much of its distension it has lost (Components::crushed), here and
+/// below.
+inline double pressure(const Eos& eos, double rho, double e, double crushed = 0) {
+  return std::visit([=](const auto& model) { return frozen(model, crushed).pressure(rho, e); }, eos);
 }
 
 /// Specific internal energy [J/kg] at density rho and pressure p [Pa].
-inline double energy(const Eos& eos, double rho, double p) {
-  return std::visit([=](const auto& model) { return model.energy(rho, p); }, eos);
+inline double energy(const Eos& eos, double rho, double p, double crushed = 0) {
+  return std::visit([=](const auto& model) { return frozen(model, crushed).energy(rho, p); }, eos);
 }
 
 /// (dp/drho) at constant entropy [m2/s2].
-inline double sound_speed_squared(const Eos& eos, double rho, double p) {
-  return std::visit([=](const auto& model) { return model.sound_speed_squared(rho, p); }, eos);
+inline double sound_speed_squared(const Eos& eos, double rho, double p, double crushed = 0) {
+  return std::visit([=](const auto& model) { return frozen(model, crushed).sound_speed_squared(rho, p); },
+                    eos);
 }
+
+/// Density [kg/m3] without pressure and energy.
+inline double rest_density(const Eos& eos, double crushed) {
+  return std::visit([=](const auto& model) { return frozen(model, crushed).rho0; }, eos);
+}
+
+/// How much of its distension porous matter has lost that was at rest and is brought to rho and e by
+/// compression alone; 0 of any other.
+inline double crushed_by(const Eos& eos, double rho, double e) {
+  const auto* porous = std::get_if<Porous>(&eos);
+  return porous ? porous->crush(rho, e, 0) : 0.0;
+}
+
+/// The table of a tabular equation of state, its own or that of its solid; null: there is none.
+inline const Tabular* tabular(const Eos& eos) {
+  const auto* porous = std::get_if<Porous>(&eos);
+  return porous ? std::get_if<Tabular>(&porous->solid) : std::get_if<Tabular>(&eos);
+}
+inline Tabular* tabular(Eos& eos) { return const_cast<Tabular*>(tabular(std::as_const(eos))); }
 
 /// The largest admissible density [kg/m3].
 inline double largest_density(const Eos& eos) {
@@ -62,7 +87,7 @@ inline bool has_tension(const Eos& eos) {
   return gas == nullptr || gas->p_inf > 0;
 }
 
-/// Whether the pressure does not depend on the energy.
+/// Whether the pressure does not depend on the energy, or may not: then `extra` is kept.
 inline bool barotropic(const Eos& eos) {
   return std::visit([](const auto& model) { return model.barotropic; }, eos);
 }

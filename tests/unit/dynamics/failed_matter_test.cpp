@@ -60,7 +60,7 @@ TEST(FailedMatterState, TheSolidPartIsFreeOfPressure) {
     for (const double e : {0.0, 1e4, 2e5}) {
       const double rho = 0.6 * eos.rho0;
       if (!(eos.pressure(rho, e) < 0)) continue;
-      const double solid = solid_fraction(eos, rho, e);
+      const double solid = solid_fraction(eos, rho, e, 0);
       EXPECT_GT(solid, 0.5);
       EXPECT_LT(solid, 1);
       EXPECT_NEAR(eos.pressure(rho / solid, e) / (eos.rho0 * 1e6), 0, 1e-9) << e;

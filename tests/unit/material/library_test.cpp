@@ -164,8 +164,8 @@ TEST(Library, SectionsCoverEveryModel) {
     if (!s.kind.empty()) kinds.insert(s.kind);
     for (const config::Key& k : s.keys) EXPECT_FALSE(k.doc.empty()) << s.name << " " << k.name;
   }
-  EXPECT_EQ(kinds.size(),
-            std::variant_size_v<Eos> + std::variant_size_v<Strength> + std::variant_size_v<Damage>);
+  EXPECT_EQ(kinds.size(), std::variant_size_v<Eos> + std::variant_size_v<PorousSolid> +
+                              std::variant_size_v<Strength> + std::variant_size_v<Damage>);
 }
 
 TEST(Library, MissingFolderHasNoMaterials) { EXPECT_TRUE(list_materials({folder / "nowhere"}).empty()); }

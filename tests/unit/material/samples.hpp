@@ -53,6 +53,26 @@ inline std::vector<Tabular> of(const Tabular&) {
   return {tabulated(m, {.least = 0.447, .most = 1.9, .densities = 301})};
 }
 
+inline Porous porous(const PorousSolid& solid, double rho0, double elastic_limit, double compaction,
+                     double exponent = 2) {
+  Porous model{rho0, elastic_limit, compaction, exponent, solid};
+  if (const char* problem = model.settle()) throw std::runtime_error(problem);
+  return model;
+}
+inline std::vector<Porous> of(const Porous&) {
+  std::vector<Porous> list;
+  const auto add = [&](const auto& solids) {
+    for (const auto& solid : solids) list.push_back(porous(solid, solid.rho0 / 1.3, 0.1e9, 1.5e9));
+  };
+  add(of(MieGruneisen{}));
+  add(of(MieGruneisenCubic{}));
+  add(of(Tillotson{}));
+  add(of(LinearEos{}));
+  add(of(PolynomialEos{}));
+  add(of(Tabular{}));
+  return list;
+}
+
 inline std::vector<NoStrength> of(const NoStrength&) { return {{}}; }
 inline std::vector<Elastic> of(const Elastic&) { return {{43e9}}; }
 inline std::vector<PerfectlyPlastic> of(const PerfectlyPlastic&) { return {{27.6e9, 0.3e9}, {27.6e9, 0}}; }

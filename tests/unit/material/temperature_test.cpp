@@ -28,7 +28,13 @@ TEST(Temperature, PlasticWorkRuleAddsTheHeat) {
 }
 
 TEST(Temperature, RestIsAtTheStart) {
-  samples::for_each<Eos>([](const auto& eos) { EXPECT_NEAR(by_energy(eos)(eos.rho0, 0, 7), 298, 1e-9); });
+  samples::for_each<Eos>([](const auto& eos) {
+    EXPECT_NEAR(by_energy(eos)(eos.rho0, 0, 0), 298, 1e-9);
+    // By energy the heating by plastic work does not count; porous matter has its lost distension there.
+    if (!by_energy(eos).has_pores()) {
+      EXPECT_NEAR(by_energy(eos)(eos.rho0, 0, 7), 298, 1e-9);
+    }
+  });
 }
 
 TEST(Temperature, HeatAtRestDensityIsSpecificHeat) {
@@ -40,10 +46,11 @@ TEST(Temperature, HeatAtRestDensityIsSpecificHeat) {
 TEST(Temperature, IsentropeIsAdiabatic) {
   samples::for_each<Eos>([](const auto& eos) {
     const TemperatureLaw law = by_energy(eos);
+    const double rest = law.solid_density(eos.rho0, 0);  // the isentrope is that of the solid
     for (const double x : {0.6, 0.9, 1.05, 1.3, 1.6}) {
-      const double rho = x * eos.rho0, h = 0.01 * eos.rho0;
+      const double rho = x * rest, h = 0.01 * rest;
       const double slope = (law.isentrope(rho + h) - law.isentrope(rho - h)) / (2 * h);
-      const double exact = eos.pressure(rho, law.isentrope(rho)) / (rho * rho);
+      const double exact = frozen(eos, 1e9).pressure(rho, law.isentrope(rho)) / (rho * rho);
       EXPECT_NEAR(slope, exact, 5e-3 * std::fabs(exact)) << eos.kind << " " << x;
     }
   });

@@ -1,0 +1,75 @@
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <variant>
+
+#include "material/library.hpp"
+#include "material/model_keys.hpp"
+
+namespace recoil {
+
+namespace {
+
+using namespace model_keys;
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
+template <class Model>
+std::string lines_of(const Model& model, const std::string& below = {}) {
+  std::string text;
+  // A file is kept beside what is written.
+  if constexpr (requires { model.path; })
+    text += below + "file = " + quoted(std::filesystem::path(model.file).filename().string()) + "\n";
+  for (const auto& p : Model::parameters()) {
+    const double value = model.*p.member;
+    if (!std::isnan(value)) text += below + p.name + " = " + written(p, value) + "\n";
+  }
+  return text;
+}
+
+/// @param below of a table within the table: "solid."; else empty.
+template <class Variant>
+std::string model_lines(const Variant& variant, const std::string& below = {}) {
+  return std::visit(
+      [&]<class Model>(const Model& model) {
+        std::string text = below + "kind = \"" + model.kind + "\"\n" + lines_of(model, below);
+        if constexpr (requires { model.solid; }) text += model_lines(model.solid, "solid.");
+        return text;
+      },
+      variant);
+}
+
+}  // namespace
+
+std::string to_toml(const Material& m, const std::string& table) {
+  const std::string prefix = table.empty() ? "" : table + ".";
+  std::string text = table.empty() ? "" : "[" + table + "]\n";
+  text += "title = " + quoted(m.title) + "\ncite = [";
+  for (std::size_t i = 0; i < m.cite.size(); ++i) text += (i > 0 ? ", " : "") + quoted(m.cite[i]);
+  text += "]\n";
+  if (!m.doubt.empty()) text += "doubt = " + quoted(m.doubt) + "\n";
+  text += "\n[" + prefix + "eos]\n" + model_lines(m.eos);
+  text += "\n[" + prefix + "strength]\n" + model_lines(m.strength);
+  if (can_fail(m.damage)) {
+    text += "\n[" + prefix + "damage]\n" + model_lines(m.damage);
+    text += "\n[" + prefix + "failed]\n" + lines_of(m.failed);
+  }
+  const bool by_energy = m.thermal.rule == Thermal::Rule::energy;
+  text += "\n[" + prefix + "thermal]\ntemperature = " + (by_energy ? "\"energy\"\n" : "\"plastic-work\"\n");
+  Thermal thermal = m.thermal;
+  if (tabular(m.eos)) thermal.specific_heat = unset;
+  text += lines_of(thermal);
+  const std::string facts = lines_of(m.facts);
+  if (!facts.empty()) text += "\n[" + prefix + "facts]\n" + facts;
+  return text;
+}
+
+}  // namespace recoil
