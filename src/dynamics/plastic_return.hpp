@@ -7,11 +7,10 @@
 
 namespace recoil {
 
-/// Radial return of the deviators of one body in
-/// one block after a substage of length dt: scales S to the yield surface, raises ep, and books the plastic
-/// heating. The rate of Johnson-Cook is dep/dt of this substage. Energy, momentum and mass do not change: S
-/// and ep carry no budget. Matter that can fail takes damage by the way, and what has failed bears no tension
-/// (dynamics/failed_matter.hpp).
+/// Radial return of the deviators of one body in one block after a substage of length dt: scales S to the
+/// yield surface, raises ep, and books the plastic heating. The rate of Johnson-Cook is dep/dt of this
+/// substage. Energy, momentum and mass do not change: S and ep carry no budget. Matter that can fail takes
+/// damage by the way, and what has failed bears no tension (dynamics/failed_matter.hpp).
 template <int Dim>
 void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt, BlockLedger<Dim>& ledger);
 
