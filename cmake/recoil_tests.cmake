@@ -52,6 +52,7 @@ if(recoil_test_sources)
         FieldPicture.OutlinesAreDark
         Fracture/2.AScabFliesOff
         Fracture/2.BlocksAndThreadsDoNotMatter
+        MovingStrain.KeepsItsProfileAtAnyAngle
         OneStage.AWaveAcrossSpaceConvergesAtSecondOrder
         PictureFile.SameFieldGivesTheSameBytes
         Regrid/1.PlatesAreAsOnTheFinestMesh
