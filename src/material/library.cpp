@@ -144,7 +144,8 @@ void read_table(const Node& eos, Tabular& model, Thermal& thermal, Diagnostics& 
 void join_porous(const Record& record, Material& material, Diagnostics& out) {
   auto* porous = std::get_if<Porous>(&material.eos);
   if (!porous) return;
-  if (const char* problem = porous->settle()) out.error(record.node("eos")->key_place, problem);
+  if (const char* problem = porous->settle())
+    out.error(record.node("eos")->key_place, problem, "compare it with its solid and its crush curve");
   if (material.thermal.rule == Thermal::Rule::plastic_work)
     out.error(record.node("thermal")->find("temperature")->place,
               "porous matter has its temperature from the internal energy",

@@ -70,7 +70,9 @@ void check_place(const Gauge& g, const Kind& kind, LoadedCase& loaded) {
   const auto body =
       std::find_if(c.bodies.begin(), c.bodies.end(), [&](const Body& b) { return b.name == kind.body; });
   if (body == c.bodies.end()) return;
-  const double away = signed_distance<Dim>(body->shape, c.domain)(config::first_components<Dim>(kind.at));
+  const auto distance = signed_distance<Dim>(body->shape, c.domain);
+  const Vec<Dim> at = config::first_components<Dim>(kind.at);
+  const double away = distance(at);
   if (Kind::on_surface && std::abs(away) > c.mesh.finest)
     loaded.found.error(g.place,
                        fmt::format("gauge '{}' is not on the surface of '{}' but {:.4g} mm {} it", g.name,
@@ -81,22 +83,13 @@ void check_place(const Gauge& g, const Kind& kind, LoadedCase& loaded) {
         g.place,
         fmt::format("gauge '{}' lies {:.4g} mm outside of '{}' at the start", g.name, away * 1e3, kind.body),
         "it records nothing until the body comes there");
-}
-
-/// A gauge that looks along a direction, which must lead out of its body.
-template <int Dim, class Kind>
-void check_outward(const Gauge& g, const Kind& kind, LoadedCase& loaded) {
-  const Case& c = loaded.contents;
-  const auto body =
-      std::find_if(c.bodies.begin(), c.bodies.end(), [&](const Body& b) { return b.name == kind.body; });
-  if (body == c.bodies.end()) return;
-  const auto distance = signed_distance<Dim>(body->shape, c.domain);
-  const Vec<Dim> at = config::first_components<Dim>(kind.at),
-                 step = 2 * c.mesh.finest * config::first_components<Dim>(kind.direction);
-  if (distance(at + step) > distance(at - step)) return;
-  loaded.found.error(place_of(loaded, "gauge." + g.name + ".direction", g.place),
-                     fmt::format("the direction of gauge '{}' leads into '{}'", g.name, kind.body),
-                     "turn it round: it leads out of the surface");
+  if constexpr (requires { kind.direction; }) {  // which leads out of the body
+    const Vec<Dim> step = 2 * c.mesh.finest * config::first_components<Dim>(kind.direction);
+    if (!(distance(at + step) > distance(at - step)))
+      loaded.found.error(place_of(loaded, "gauge." + g.name + ".direction", g.place),
+                         fmt::format("the direction of gauge '{}' leads into '{}'", g.name, kind.body),
+                         "turn it round: it leads out of the surface");
+  }
 }
 
 template <int Dim>
@@ -105,7 +98,6 @@ void check_gauges(LoadedCase& loaded) {
     std::visit(
         [&](const auto& kind) {
           if constexpr (requires { kind.on_surface; }) check_place<Dim>(g, kind, loaded);
-          if constexpr (requires { kind.on_surface, kind.direction; }) check_outward<Dim>(g, kind, loaded);
         },
         g.kind);
 }
