@@ -5,7 +5,8 @@ import re
 
 from .errors import InputError
 
-# Size in SI and exponents of m, s, kg, K and of the size of cells.
+# Size in SI and exponents of m, s, kg, K and of the size of cells, in which contact gauges of
+# earlier runs have their gaps.
 BASE = {
     "m": (1, (1, 0, 0, 0, 0)),
     "s": (1, (0, 1, 0, 0, 0)),

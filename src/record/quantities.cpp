@@ -124,7 +124,7 @@ Curve read_reference(const Quantities& q, const Request& r, const std::string& t
 }
 
 std::string si_unit(const SeriesColumn& column) {
-  return column.unit == "1" || column.unit == "dx" ? "1" : config::si_unit_of(column.unit);
+  return column.unit == "1" ? "1" : config::si_unit_of(column.unit);
 }
 
 /// The largest or smallest value, of the whole record or of a span of time.

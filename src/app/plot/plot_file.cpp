@@ -28,7 +28,6 @@ std::optional<double> limit(const std::string& text, const std::string& unit, co
   if (text.empty()) return std::nullopt;
   if (const config::Quantity plain = config::parse_quantity(text, "1", option); plain.ok())
     return plain.value;
-  if (unit == "dx") throw InputError(fmt::format("{} is a number of cells here, not '{}'", option, text));
   return quantity_option(text, unit.c_str(), option);
 }
 

@@ -117,9 +117,7 @@ std::string unit_of_number(const std::string& name, const RunUnits& u) {
   return quantity == "highest" ? "mm" : "1";
 }
 
-double size_of(const std::string& unit) {
-  return unit.empty() || unit == "1" || unit == "dx" ? 1 : config::unit_size(unit);
-}
+double size_of(const std::string& unit) { return unit.empty() || unit == "1" ? 1 : config::unit_size(unit); }
 
 SeriesColumn column_of(const CsvTable& table, const std::string& head) {
   const std::string unit = table.unit(head);

@@ -60,7 +60,7 @@ std::vector<StudyValue> values_in(const RunQuantities& run, const std::vector<As
   std::vector<StudyValue> values;
   for (const Asked& a : asked) {
     StudyValue v{value_of(run, a.quantity), nothing, nothing, unit_of(run, a.quantity)};
-    if (v.unit == "1" || v.unit == "dx") v.unit.clear();
+    if (v.unit == "1") v.unit.clear();
     if (const auto& e = a.expected) {
       const bool one_sided = e->at_most || e->at_least;
       (one_sided ? v.limit : v.reference) = e->value;

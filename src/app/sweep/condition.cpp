@@ -19,9 +19,8 @@ std::string without_blanks(const std::string& s) {
   return first == std::string::npos ? "" : s.substr(first, s.find_last_not_of(" \t") + 1 - first);
 }
 
-/// The dimension of a unit that files have, "dx" (cells) included.
 std::string dimension_of(const std::string& unit) {
-  return config::dimension_name(unit.empty() || unit == "1" || unit == "dx" ? "" : unit);
+  return config::dimension_name(unit.empty() || unit == "1" ? "" : unit);
 }
 
 void check_dimension(const Condition& c, const std::string& unit) {

@@ -96,7 +96,7 @@ double SweepRuns::number(const RunQuantities& run, const SweepColumn& column) co
     // Of those that nobody asked for a run may lack one: a gauge that another value of a key has taken away.
     if (!question_.quantities.empty() || column.quantity == question_.condition.quantity) throw;
   }
-  const bool plain = column.unit.empty() || column.unit == "1" || column.unit == "dx";
+  const bool plain = column.unit.empty() || column.unit == "1";
   return plain ? value : config::in_unit(value, column.unit);
 }
 

@@ -135,9 +135,11 @@ void ContactWatch<Dim>::read(const GaugeReading<Dim>& reading, std::vector<doubl
   row.push_back(touching ? p.traction / p.area : 0);
   row.push_back(touching ? outward_ * p.velocity / p.area : nothing);
   row.push_back(whole * p.area);
-  row.push_back(touching ? p.gap / p.area / dx_ : nothing);
-  row.push_back(touching ? p.widest_gap : nothing);
-  row.push_back(touching ? p.deepest_overlap : nothing);
+  row.push_back(touching ? p.gap / p.area : nothing);
+  for (const double edge : {dx_, 1.0}) {
+    row.push_back(touching ? edge * p.widest_gap : nothing);
+    row.push_back(touching ? edge * p.deepest_overlap : nothing);
+  }
   for (std::size_t d = 0; d < Dim; ++d) row.push_back(sign * p.force[d]);
   for (std::size_t d = 0; d < Dim; ++d) row.push_back(sign * p.impulse[d]);
   row.push_back(sign * p.work);

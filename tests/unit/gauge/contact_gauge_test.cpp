@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "../support/scratch_folder.hpp"
@@ -83,8 +84,14 @@ TEST(ContactGauge, OfTheWholeAndOfAPart) {
   EXPECT_LT(middle.numbers("traction-scatter")[20], 0.001);
   EXPECT_GT(all.numbers("traction-scatter")[20], 0.002) << "the released edges";
   EXPECT_NEAR(middle.numbers("area").back(), 1.4e-3, 0.15e-3) << "to a cell at each end";
-  EXPECT_LT(middle.numbers("widest-gap").back(), 0.1);
-  EXPECT_GT(middle.numbers("deepest-overlap").back(), -0.1);
+  EXPECT_LT(middle.numbers("widest-gap-in-cells").back(), 0.1);
+  EXPECT_GT(middle.numbers("deepest-overlap-in-cells").back(), -0.1);
+  for (const char* gap : {"gap", "widest-gap", "deepest-overlap"}) EXPECT_EQ(middle.unit(gap), "mm");
+  for (const std::string gap : {"widest-gap", "deepest-overlap"}) {
+    EXPECT_EQ(middle.unit(gap + "-in-cells"), "1");
+    for (std::size_t k = 1; k < 21; ++k)
+      EXPECT_NEAR(middle.numbers(gap)[k], 0.1 * middle.numbers(gap + "-in-cells")[k], 1e-9) << gap;
+  }
   const auto x = all.numbers("impulse.x"), y = all.numbers("impulse.y"), along = all.numbers("impulse.along"),
              normal = all.numbers("normal-impulse");
   EXPECT_NEAR(along.back(), -0.045, 0.004) << "50 MPa on 3 mm for 0.3 us";
