@@ -42,7 +42,8 @@ struct CheckOptions {
   std::vector<std::string> files;
   std::vector<std::string> overrides;
   bool json = false;
-  std::string png;  // picture of the case; .svg and .pdf do as well
+  std::string png;            // picture of the case; .svg and .pdf do as well
+  std::string view, up, cut;  // of that picture, as for `plot`
 };
 int check(const CheckOptions& options);
 

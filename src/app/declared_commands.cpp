@@ -170,8 +170,15 @@ void Commands::add_check() {
   c->add_option("case", check.files, "case files, or their folders")->required()->type_name("CASE...");
   add_set(*c, check.overrides);
   c->add_flag("--json", check.json, "print JSON");
-  c->add_option("--png", check.png, "draw the initial state to this file: .png, .svg or .pdf")
+  c->add_option("--png", check.png,
+                "draw bodies, velocities and gauges at the start to this file: .png, .svg or .pdf")
       ->type_name("FILE");
+  c->add_option("--view", check.view,
+                "direction of that picture of a 3d case: an axis (x, -y) or azimuth and elevation")
+      ->type_name("VIEW");
+  c->add_option("--up", check.up, "axis that points up in it (default: z)")->type_name("AXIS");
+  c->add_option("--cut", check.cut, "plane that cuts bodies in it: what lies before it is left out")
+      ->type_name("z=PLACE");
 }
 
 void Commands::add_plot() {

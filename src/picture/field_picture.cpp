@@ -159,6 +159,18 @@ void draw_outlines(Canvas& canvas, const FieldPicture& p, const Layout& l,
   draw_polylines(canvas, lines, stroke, l.frame.area);
 }
 
+std::vector<Mark> placed_marks(const FieldPicture& p, const Frame& frame) {
+  double fastest = 0;
+  for (const Mark& m : p.marks) fastest = std::max(fastest, std::hypot(m.way.x, m.way.y));
+  const double scale = fastest > 0 ? kLongestArrow / fastest : 0;
+  std::vector<Mark> marks = p.marks;
+  for (Mark& m : marks) {
+    m.at = frame.pixel(m.at.x * p.x_scale, m.at.y * p.y_scale);
+    m.way = {scale * m.way.x, -scale * m.way.y};
+  }
+  return marks;
+}
+
 void check(const FieldPicture& p) {
   require(p.nx > 0 && p.ny > 0 && p.dx > 0 && p.dy > 0, "a field picture has cells of positive size");
   const std::size_t count = static_cast<std::size_t>(p.nx) * static_cast<std::size_t>(p.ny);
@@ -179,6 +191,7 @@ Canvas field_picture(const FieldPicture& picture) {
   draw_outlines(canvas, picture, l, picture.outlines, {.colour = {24, 26, 30}, .width = 2.2});
   draw_outlines(canvas, picture, l, picture.references, {.colour = {240, 110, 30}, .width = 1.8});
   draw_axes(canvas, l.frame);
+  draw_marks(canvas, placed_marks(picture, l.frame), l.frame.area);
   draw_key(canvas, l.key, l.frame.area, bottom_margin() + 10);
   draw_heading(canvas, l.frame.area, picture.title, picture.note);
   return canvas;

@@ -7,6 +7,7 @@
 
 #include "picture/canvas.hpp"
 #include "picture/colour_map.hpp"
+#include "picture/marks.hpp"
 #include "picture/outline.hpp"
 
 namespace recoil {
@@ -38,6 +39,8 @@ struct FieldPicture {
   double x_scale = 1e3, y_scale = 1e3;     ///< from the data's unit to the one in the title
   int max_width = 1200, max_height = 900;  ///< of the whole picture [pixels]
   int detail = 1;  ///< samples of the field per pixel and axis in the file; 2 suits SVG and PDF
+  /// At places in the plane, with arrows by velocities [m/s]; the fastest has the longest arrow.
+  std::vector<Mark> marks{};
   std::vector<Outline> references{};  ///< drawn orange, on top: what the outlines are compared with
 };
 

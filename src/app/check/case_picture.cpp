@@ -1,15 +1,18 @@
 #include "app/check/case_picture.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "app/check/case_marks.hpp"
+#include "app/check/case_view.hpp"
+#include "app/plot/space_plotter.hpp"
 #include "config/geometry.hpp"
+#include "core/error.hpp"
 #include "picture/plot.hpp"
 #include "problem/shape.hpp"
 
@@ -19,14 +22,6 @@ namespace {
 
 constexpr int pixels_along = 600;  // samples along the longer side
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-/// Of a case in space: the plane of symmetry across z, or the middle [m].
-double shown_plane(const config::Domain& domain) {
-  for (const std::size_t side : {0, 1})
-    if (domain.boundary[2][side] == config::Boundary::symmetry)
-      return side == 0 ? domain.lo[2] : domain.hi[2];
-  return 0.5 * (domain.lo[2] + domain.hi[2]);
-}
 
 /// Number of the body at each sample, from 1; and all outlines.
 template <int Dim>
@@ -50,7 +45,6 @@ FieldPicture sample(const config::Case& c) {
         Vec<Dim> x;
         x[0] = picture.x0 + (i + 0.5) * picture.dx;
         if constexpr (Dim > 1) x[1] = picture.y0 + (j + 0.5) * picture.dy;
-        if constexpr (Dim > 2) x[2] = shown_plane(c.domain);
         const auto at = static_cast<std::size_t>(k);
         phi.values[at] = distance(x);
         if (phi.values[at] < 0) picture.values[at] = static_cast<double>(m + 1);
@@ -60,15 +54,37 @@ FieldPicture sample(const config::Case& c) {
   return picture;
 }
 
-}  // namespace
+/// Where the arrow of a body starts: the middle of its samples, on the axis where there is one.
+Point2 middle_of(const FieldPicture& p, std::size_t body) {
+  Point2 sum;
+  int count = 0;
+  for (int j = 0, k = 0; j < p.ny; ++j)
+    for (int i = 0; i < p.nx; ++i, ++k)
+      if (p.values[static_cast<std::size_t>(k)] == static_cast<double>(body + 1)) {
+        sum.x += p.x0 + (i + 0.5) * p.dx, sum.y += p.y0 + (j + 0.5) * p.dy;
+        ++count;
+      }
+  if (count == 0) return {p.x0 + 0.5 * p.nx * p.dx, p.y0 + 0.5 * p.ny * p.dy};
+  return {p.mirror ? 0 : sum.x / count, sum.y / count};
+}
 
-void draw_case(const config::Case& c, const std::filesystem::path& file) {
-  const PictureFormat format = picture_format(file);
+void add_marks(FieldPicture& p, const config::Case& c, int dim) {
+  const double middle = p.y0 + 0.5 * p.ny * p.dy;  // of the strip that stands for a line
+  for (const StartMotion& m : start_motions(c))
+    p.marks.push_back({.at = middle_of(p, m.body),
+                       .way = {m.velocity[0], dim > 1 ? m.velocity[1] : 0},
+                       .label = m.label,
+                       .arrow = true});
+  for (const GaugePlace& g : gauge_places(c))
+    p.marks.push_back({.at = {g.at[0], dim > 1 ? g.at[1] : middle}, .label = g.name});
+}
+
+Canvas plane_of_case(const config::Case& c, PictureFormat format) {
   const int dim = config::dimension(c.domain.geometry);
-  FieldPicture picture = dim == 1 ? sample<1>(c) : dim == 2 ? sample<2>(c) : sample<3>(c);
+  FieldPicture picture = dim == 1 ? sample<1>(c) : sample<2>(c);
   const auto axes = config::axes_of(c.domain.geometry);
   picture.title = c.title;
-  picture.note = dim == 3 ? fmt::format("z = {:.4g} mm", 1e3 * shown_plane(c.domain)) : "at the start";
+  picture.note = "at the start";
   for (std::size_t m = 0; m < c.bodies.size(); ++m)
     picture.categories.push_back({static_cast<double>(m + 1), c.bodies[m].name, area_colour(m)});
   picture.detail = format == PictureFormat::png ? 1 : 2;
@@ -76,7 +92,24 @@ void draw_case(const config::Case& c, const std::filesystem::path& file) {
   picture.x_title = axes[0] + " [mm]";
   picture.y_title = dim > 1 ? axes[1] + " [mm]" : "";
   picture.y_labels = dim > 1;
-  write_picture(file, field_picture(picture));
+  add_marks(picture, c, dim);
+  return field_picture(picture);
+}
+
+}  // namespace
+
+void draw_case(const config::Case& c, const CasePictureOptions& o) {
+  const PictureFormat format = picture_format(o.file);
+  if (c.domain.geometry != config::Geometry::space) {
+    if (!(o.view.empty() && o.up.empty() && o.cut.empty()))
+      throw InputError("--view, --up and --cut need a 3d case\n   = help: omit them");
+    write_picture(o.file, plane_of_case(c, format));
+    return;
+  }
+  const View view = read_view(o.view, o.up);
+  std::optional<SpacePlane> cut;
+  if (!o.cut.empty()) cut = read_cut(o.cut, view);
+  write_picture(o.file, view_of_case(c, view, cut));
 }
 
 }  // namespace recoil::app

@@ -1,13 +1,19 @@
 #pragma once
 
-#include <filesystem>
+#include <string>
 
 #include "config/case.hpp"
 
 namespace recoil::app {
 
-/// Draws the bodies of a case at the start; of a 3d case the plane through the middle of its z axis.
-/// @param file .png, .svg or .pdf. @throws InputError for another suffix.
-void draw_case(const config::Case& c, const std::filesystem::path& file);
+/// What `recoil check --png` draws.
+struct CasePictureOptions {
+  std::string file;           // .png, .svg or .pdf
+  std::string view, up, cut;  // of a case in space, as for `recoil plot`
+};
+
+/// Draws the bodies of a case at the start with its gauges and velocities; of a 3-D case a shaded view.
+/// @throws InputError for another suffix, and for a view of a case that is not in space.
+void draw_case(const config::Case& c, const CasePictureOptions& options);
 
 }  // namespace recoil::app

@@ -182,6 +182,8 @@ Json report_json(const Report& r) {
 
 int check(const CheckOptions& options) {
   if (!options.png.empty() && options.files.size() > 1) throw InputError("--png draws one case at a time");
+  if (options.png.empty() && !(options.view.empty() && options.up.empty() && options.cut.empty()))
+    throw InputError("--view, --up and --cut say how --png draws\n   = help: add --png FILE, or omit them");
   int code = exit_finished;
   Json all = Json::array();
   for (const std::string& file : options.files) {
@@ -191,7 +193,8 @@ int check(const CheckOptions& options) {
     else
       print_report(r);
     if (!r.good()) code = r.loaded.too_large && code == exit_finished ? exit_environment : exit_bad_input;
-    if (!options.png.empty() && r.good()) draw_case(r.loaded.contents, options.png);
+    if (!options.png.empty() && r.good())
+      draw_case(r.loaded.contents, {options.png, options.view, options.up, options.cut});
   }
   if (options.json) fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
   return code;

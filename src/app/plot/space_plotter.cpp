@@ -13,6 +13,7 @@
 #include "app/plot/colour_options.hpp"
 #include "app/plot/plane_option.hpp"
 #include "app/plot/plot_file.hpp"
+#include "app/plot/rigid_scene.hpp"
 #include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "picture/axis.hpp"
@@ -38,17 +39,6 @@ View along_axis(const std::string& text, int up) {
   return View::from((axis == (up + 1) % 3 ? 0 : 90 * degree) + (back ? 180 * degree : 0), 0, up);
 }
 
-/// The plane with its normal towards the viewer.
-SpacePlane towards_viewer(SpacePlane plane, const View& view, const std::string& text) {
-  const double facing = dot(plane.normal, view.forward);
-  if (std::abs(facing) < 1e-6)
-    throw InputError(fmt::format(
-        "the plane {} is seen from its edge\n   = help: choose another --view, e.g. --view -50deg,25deg",
-        text));
-  if (facing > 0) plane = {-plane.normal, -plane.distance};
-  return plane;
-}
-
 }  // namespace
 
 bool asks_for_view(const PlotOptions& o) {
@@ -72,6 +62,16 @@ View read_view(const std::string& text, const std::string& up) {
   return View::from(quantity_option(text.substr(0, comma), "rad", "--view"), elevation, axis);
 }
 
+SpacePlane read_cut(const std::string& text, const View& view) {
+  const SpacePlane plane = read_plane(text, "--cut");
+  const double facing = dot(plane.normal, view.forward);
+  if (std::abs(facing) < 1e-6)
+    throw InputError(fmt::format(
+        "the plane {} is seen from its edge\n   = help: choose another --view, e.g. --view -50deg,25deg",
+        text));
+  return facing > 0 ? SpacePlane{-plane.normal, -plane.distance} : plane;
+}
+
 std::array<std::array<bool, 3>, 2> symmetric_faces(const config::Domain& domain) {
   std::array<std::array<bool, 3>, 2> faces{};
   for (std::size_t d = 0; d < 3; ++d)
@@ -89,15 +89,24 @@ SpacePlotter::SpacePlotter(const PlotOptions& o, const config::Case& c)
         "--slice, --window, --outline and --along draw a plane or a curve\n   = help: omit them, or --view, "
         "--up, "
         "--cut, --mirror and --body");
-  if (!o.cut.empty()) cut_ = towards_viewer(read_plane(o.cut, "--cut"), view_, o.cut);
+  if (!o.cut.empty()) cut_ = read_cut(o.cut, view_);
 }
 
 FieldScene SpacePlotter::scene_of(const ChosenDump& dump) const {
-  return {read_vtkhdf(dump.path), options_.what.front(), run_units(case_.domain.geometry), options_.bodies};
+  // Rigid bodies come from the case.
+  std::vector<std::string> bodies;
+  for (const std::string& name : options_.bodies) {
+    const auto b = std::ranges::find(case_.bodies, name, &config::Body::name);
+    if (b == case_.bodies.end() || !moves_as_prescribed(*b)) bodies.push_back(name);
+  }
+  if (bodies.empty() && !options_.bodies.empty())
+    throw InputError("--body names rigid bodies only, which have no field\n   = help: add a deformable one");
+  return {read_vtkhdf(dump.path), options_.what.front(), run_units(case_.domain.geometry), bodies};
 }
 
 template <class F>
-auto SpacePlotter::with_mirrors(const FieldScene& scene, F&& f) const {
+auto SpacePlotter::completed(const FieldScene& field, double time, F&& f) const {
+  const RigidScene scene(field, field.bodies(), case_, time, options_.bodies);
   if (!options_.mirror) return f(static_cast<const Scene&>(scene));
   auto [low, high] = symmetric_faces(case_.domain);
   const SpaceBox box = scene.box();  // matter that has left a plane of symmetry is not mirrored there
@@ -109,8 +118,8 @@ auto SpacePlotter::with_mirrors(const FieldScene& scene, F&& f) const {
   return f(static_cast<const Scene&>(MirroredScene(scene, low, high)));
 }
 
-ViewWindow SpacePlotter::seen_of(const FieldScene& scene) const {
-  const auto seen = with_mirrors(scene, [&](const Scene& s) { return window_of(s, view_, cut_); });
+ViewWindow SpacePlotter::seen_of(const FieldScene& scene, double time) const {
+  const auto seen = completed(scene, time, [&](const Scene& s) { return window_of(s, view_, cut_); });
   if (!seen)
     throw InputError(fmt::format("nothing is left of the bodies{}",
                                  options_.cut.empty() ? "" : " behind --cut " + options_.cut));
@@ -131,7 +140,7 @@ SpacePicture SpacePlotter::empty_picture(const ChosenDump& dump) const {
 void SpacePlotter::hold_frame(const std::vector<ChosenDump>& dumps) {
   window_.reset();
   for (const ChosenDump& dump : dumps) {
-    const ViewWindow own = seen_of(scene_of(dump));
+    const ViewWindow own = seen_of(scene_of(dump), dump.time_s);
     window_ = window_ ? joined(*window_, own) : own;
   }
   Range values;
@@ -143,7 +152,7 @@ void SpacePlotter::hold_frame(const std::vector<ChosenDump>& dumps) {
     SpacePicture p = empty_picture(dump);
     p.window = *window_;
     p.max_width = 400, p.max_height = 400;  // few rays tell the range
-    const SpaceRays rays = with_mirrors(scene, [&](const Scene& s) { return rays_of(p, s); });
+    const SpaceRays rays = completed(scene, dump.time_s, [&](const Scene& s) { return rays_of(p, s); });
     for (const double v : rays.values()) values.include(v, options_.log);
   }
   std::ranges::sort(categories_, {}, &Category::value);
@@ -153,9 +162,9 @@ void SpacePlotter::hold_frame(const std::vector<ChosenDump>& dumps) {
 Canvas SpacePlotter::draw(const ChosenDump& dump) const {
   const FieldScene scene = scene_of(dump);
   SpacePicture p = empty_picture(dump);
-  p.window = window_ ? *window_ : seen_of(scene);
+  p.window = window_ ? *window_ : seen_of(scene, dump.time_s);
   p.label = scene.label();
-  const SpaceRays rays = with_mirrors(scene, [&](const Scene& s) { return rays_of(p, s); });
+  const SpaceRays rays = completed(scene, dump.time_s, [&](const Scene& s) { return rays_of(p, s); });
   const std::vector<double> values = rays.values();
   const std::vector<Category>& names = categories_.empty() ? scene.categories() : categories_;
   return space_picture(

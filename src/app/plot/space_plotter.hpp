@@ -20,6 +20,10 @@ bool asks_for_view(const PlotOptions& options);
 /// The direction of --view, "-x" or "-50deg,25deg", with the axis of --up. @throws InputError.
 View read_view(const std::string& text, const std::string& up);
 
+/// The plane of --cut with its normal towards the viewer. @throws InputError, also where it is seen from its
+/// edge.
+SpacePlane read_cut(const std::string& text, const View& view);
+
 /// Which faces of a domain are planes of symmetry: [axis], of the low and of the high face.
 std::array<std::array<bool, 3>, 2> symmetric_faces(const config::Domain& domain);
 
@@ -38,10 +42,10 @@ class SpacePlotter {
  private:
   SpacePicture empty_picture(const ChosenDump& dump) const;
   FieldScene scene_of(const ChosenDump& dump) const;
-  /// What the scene becomes with --mirror.
+  /// What the scene becomes with rigid bodies [time in s] and with --mirror.
   template <class F>
-  auto with_mirrors(const FieldScene& scene, F&& f) const;
-  ViewWindow seen_of(const FieldScene& scene) const;
+  auto completed(const FieldScene& scene, double time, F&& f) const;
+  ViewWindow seen_of(const FieldScene& scene, double time) const;
 
   PlotOptions options_;
   const config::Case& case_;

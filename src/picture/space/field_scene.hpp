@@ -11,8 +11,8 @@
 
 namespace recoil {
 
-/// The bodies of a dump of a 3-D run with one of its fields. Rigid bodies are left out: a dump holds only the
-/// part of them that is near to deformable ones.
+/// The deformable bodies of a dump of a 3-D run with one of its fields. Of rigid bodies a dump holds only the
+/// part that is near to deformable ones.
 class FieldScene : public Scene {
  public:
   /// @param field name of a scalar (find_scalar). @param bodies that are shown; none: all.

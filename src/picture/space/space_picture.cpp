@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "picture/frame.hpp"
+#include "picture/marks.hpp"
 #include "picture/space/shading.hpp"
 #include "picture/text.hpp"
 
@@ -83,6 +84,32 @@ void draw_scale(Canvas& canvas, double pixels_per_m, const PixelRect& area) {
              .vertical = VerticalAnchor::baseline});
 }
 
+/// Where the marks lie in the picture, and which of them have matter before them.
+std::vector<Mark> placed_marks(const SpacePicture& p, const SpaceRays& rays, const PixelRect& area) {
+  double fastest = 0;
+  for (const SpaceMark& m : p.marks) fastest = std::max(fastest, norm(m.way));
+  const double scale = fastest > 0 ? kLongestArrow / fastest : 0;
+  const Screen& s = rays.screen;
+  std::vector<Mark> marks;
+  for (const SpaceMark& m : p.marks) {
+    const Vec<3> way = m.at - s.corner;
+    const double x = dot(way, p.view.right) / s.pixel, y = -dot(way, p.view.up) / s.pixel;
+    const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+    bool behind = false;
+    if (i >= 0 && j >= 0 && i < s.nx && j < s.ny) {
+      const Hit& hit = rays.hits[static_cast<std::size_t>(i) +
+                                 static_cast<std::size_t>(s.nx) * static_cast<std::size_t>(j)];
+      behind = hit.any() && dot(way, p.view.forward) > hit.depth + 2 * rays.cell;
+    }
+    marks.push_back({{area.x0 + 0.5 * x, area.y0 + 0.5 * y},
+                     {scale * dot(m.way, p.view.right), -scale * dot(m.way, p.view.up)},
+                     m.label,
+                     m.arrow,
+                     behind});
+  }
+  return marks;
+}
+
 }  // namespace
 
 std::vector<double> SpaceRays::values() const {
@@ -152,6 +179,7 @@ Canvas space_picture(const SpacePicture& p, const SpaceRays& rays, const Colours
   draw_key(canvas, key, {area.x0, area.y0 + inset, area.x1, area.y1 - inset}, 0);
   draw_axes_of(canvas, p.view, {area.x0 + 44, area.y1 + band - 46});
   draw_scale(canvas, 0.5 / rays.screen.pixel, area);
+  draw_marks(canvas, placed_marks(p, rays, area), canvas.bounds());
   draw_heading(canvas, area, p.title, p.note);
   return canvas;
 }

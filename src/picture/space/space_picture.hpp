@@ -23,6 +23,14 @@ ViewWindow joined(const ViewWindow& a, const ViewWindow& b);
 std::optional<ViewWindow> window_of(const Scene& scene, const View& view,
                                     const std::optional<SpacePlane>& cut);
 
+/// A dot or an arrow at a place in space.
+struct SpaceMark {
+  Vec<3> at{};   ///< m
+  Vec<3> way{};  ///< m/s: the fastest has the longest arrow
+  std::string label{};
+  bool arrow = false;
+};
+
 /// A shaded view of bodies in space, coloured by a field.
 struct SpacePicture {
   View view{};
@@ -31,6 +39,7 @@ struct SpacePicture {
   std::optional<SpacePlane> cut{};         ///< its viewer's side is taken away
   std::string title{}, note{};             ///< heading on the left; on the right, e.g. the time
   std::string label{};                     ///< of the colour bar, with unit: "pressure [GPa]"
+  std::vector<SpaceMark> marks{};          ///< those behind matter are hollow
   int max_width = 1200, max_height = 900;  ///< of the whole picture [pixels]
 };
 

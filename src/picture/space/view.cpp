@@ -72,7 +72,7 @@ Hit cast(const Scene& scene, const Vec<3>& origin, const Vec<3>& forward,
   Hit hit;
   const Stretch s = stretch_of(scene, origin, forward, cut);
   if (!(s.from < s.to)) return hit;
-  const double least = 0.2 * scene.cell(), hair = 1e-6 * scene.cell();
+  const double least = 0.05 * scene.cell(), hair = 1e-6 * scene.cell();
   double t = s.from + hair, before = t;
   while (t < s.to) {
     const double distance = scene.distance(origin + forward * t);

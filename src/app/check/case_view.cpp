@@ -1,0 +1,102 @@
+#include "app/check/case_view.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "app/check/case_marks.hpp"
+#include "core/error.hpp"
+#include "picture/space/space_picture.hpp"
+#include "problem/shape.hpp"
+
+namespace recoil::app {
+
+namespace {
+
+Vec<3> point(const config::Vector& v) { return Vec<3>{{v[0], v[1], v[2]}}; }
+
+/// The shapes of a case: they are exact, and known in all of the domain.
+class CaseScene : public Scene {
+ public:
+  explicit CaseScene(const config::Case& c) : cell_(0.1 * c.mesh.finest) {
+    box_ = {point(c.domain.lo), point(c.domain.hi)};
+    for (const config::Body& body : c.bodies) bodies_.push_back(signed_distance<3>(body.shape, c.domain));
+  }
+
+  SpaceBox box() const override { return box_; }
+  double cell() const override { return cell_; }
+  double distance(const Vec<3>& x) const override {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& body : bodies_) least = std::min(least, body(x));
+    return least;
+  }
+  int body(const Vec<3>& x) const override {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t m = 0; m < bodies_.size(); ++m)
+      if (const double d = bodies_[m](x); d < least) least = d, best = m;
+    return static_cast<int>(best);
+  }
+  double value(const Vec<3>& /*x*/, int body) const override { return body + 1; }
+
+ private:
+  SpaceBox box_;
+  double cell_;  // edges of shapes are sharper than the mesh will have them
+  std::vector<std::function<double(const Vec<3>&)>> bodies_;
+};
+
+/// The middle of what is seen of each body; bodies that are not seen have no number of rays.
+struct Seen {
+  Vec<3> sum{};
+  int rays = 0;
+};
+
+std::vector<Seen> seen_parts(const SpaceRays& rays, const View& view, std::size_t bodies) {
+  std::vector<Seen> seen(bodies);
+  const Screen& s = rays.screen;
+  for (int j = 0; j < s.ny; ++j)
+    for (int i = 0; i < s.nx; ++i) {
+      const Hit& hit = rays.hits[static_cast<std::size_t>(i) +
+                                 static_cast<std::size_t>(s.nx) * static_cast<std::size_t>(j)];
+      if (!hit.any()) continue;
+      Seen& its = seen[static_cast<std::size_t>(hit.body)];
+      its.sum = its.sum + s.corner + view.right * ((i + 0.5) * s.pixel) - view.up * ((j + 0.5) * s.pixel) +
+                view.forward * hit.depth;
+      ++its.rays;
+    }
+  return seen;
+}
+
+/// Adds gauges and velocities; the note names bodies that move and are not seen.
+void add_marks(SpacePicture& p, const config::Case& c, const SpaceRays& rays) {
+  const std::vector<Seen> seen = seen_parts(rays, p.view, c.bodies.size());
+  for (const StartMotion& motion : start_motions(c)) {
+    const Seen& its = seen[motion.body];
+    if (its.rays > 0)
+      p.marks.push_back({its.sum * (1.0 / its.rays), point(motion.velocity), motion.label, true});
+    else
+      p.note += "; not seen: " + c.bodies[motion.body].name + ", " + motion.label;
+  }
+  for (const GaugePlace& g : gauge_places(c)) p.marks.push_back({point(g.at), {}, g.name});
+}
+
+}  // namespace
+
+Canvas view_of_case(const config::Case& c, const View& view, const std::optional<SpacePlane>& cut) {
+  const CaseScene scene(c);
+  SpacePicture p{.view = view, .cut = cut, .title = c.title, .note = "at the start"};
+  const std::optional<ViewWindow> window = window_of(scene, view, cut);
+  if (!window) throw InputError("nothing is left of the bodies\n   = help: another --cut");
+  p.window = *window;
+  const SpaceRays rays = rays_of(p, scene);
+  add_marks(p, c, rays);
+  ColourChoice choice;
+  for (std::size_t m = 0; m < c.bodies.size(); ++m)
+    choice.categories.push_back({static_cast<double>(m + 1), c.bodies[m].name, area_colour(m)});
+  return space_picture(p, rays, colours_of(rays.values(), choice));
+}
+
+}  // namespace recoil::app
