@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/data_folder.hpp"
 #include "app/run/checkpoint_folder.hpp"
 #include "app/run/resolved_case.hpp"
 #include "core/error.hpp"
@@ -23,11 +24,13 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Everything that a run leaves behind, and nothing else is ever removed.
-constexpr const char* traces[] = {
-    "case.toml",   "case.resolved.toml", "run.log", "status.json", "summary.json",  "quantities.csv",
-    "history.csv", "events.csv",         "gauges",  "fields",      "fragments.csv", "crash",
-    "checkpoints", "report.html"};
+constexpr const char* traces[] = {"case.toml",   "case.resolved.toml", "run.log",
+                                  "status.json", "summary.json",       "quantities.csv",
+                                  "history.csv", "events.csv",         "gauges",
+                                  "fields",      "fragments.csv",      "crash",
+                                  "checkpoints", "report.html",        "open_in_paraview.py"};
 
+constexpr const char* paraview_script = "open_in_paraview.py";
 constexpr const char* lock_name = ".lock";
 
 bool holds_nothing(const fs::path& folder) {
@@ -55,6 +58,13 @@ void copy_file_into(const fs::path& folder, const fs::path& file) {
   const fs::path copy = folder / file.filename();
   if (fs::exists(copy) && fs::equivalent(file, copy)) return;  // of the same folder
   fs::copy_file(file, copy, fs::copy_options::overwrite_existing);
+}
+
+/// It stands beside the templates, as data of the program; where RECOIL_DATA names a folder of materials only
+/// there is none.
+void copy_paraview_script(const fs::path& folder) {
+  const fs::path script = templates_folder() / paraview_script;
+  if (fs::exists(script)) copy_file_into(folder, script);
 }
 
 void copy_files(const fs::path& folder, const LoadedCase& loaded) {
@@ -120,6 +130,7 @@ void prepare_run_folder(const fs::path& folder, const LoadedCase& loaded, bool f
     write_atomically(folder / "case.toml", loaded.document.text);
     write_atomically(folder / "case.resolved.toml", resolved_text(loaded));
     copy_files(folder, loaded);
+    copy_paraview_script(folder);
   } catch (const fs::filesystem_error& e) {
     throw EnvironmentError(fmt::format("the folder {} cannot be used: {}", folder.string(), e.what()));
   }

@@ -1,0 +1,126 @@
+#!/usr/bin/python3
+"""The script that each run leaves opens its fields in ParaView, with bodies, a field, levels and all times.
+
+Environment: RECOIL_PROGRAM, and PVPYTHON, the Python of ParaView (tools/with_paraview sets it and gives it a screen).
+"""
+
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+RECOIL = os.environ["RECOIL_PROGRAM"]
+PVPYTHON = os.environ["PVPYTHON"]
+
+# A ball of 2 mm meets a plate; in the plane, and in space, with cells of two sizes.
+CASE = """
+format = 1
+title = "A ball meets a plate"
+[domain]
+geometry = "{geometry}"
+x = ["-4 mm", "4 mm"]
+y = ["-4 mm", "4 mm"]
+{z}
+[mesh]
+finest = "0.25 mm"
+levels = 2
+refine = ["interfaces"]
+[time]
+end = "0.4 us"
+[body.ball]
+material = "copper/seed"
+shape = {{ kind = "{ball}", centre = {{ y = "1.1 mm" }}, radius = "1 mm" }}
+velocity = {{ y = "-400 m/s" }}
+[body.plate]
+material = "aluminium/seed"
+shape = {{ kind = "box", x = ["-3 mm", "3 mm"], y = ["-2 mm", "0 mm"]{box} }}
+[output]
+fields = {{ every = "0.1 us" }}
+"""
+SPACE = CASE.format(geometry="3d", z='z = ["-4 mm", "4 mm"]', ball="sphere", box=', z = ["-3 mm", "3 mm"]')
+PLANE = CASE.format(geometry="planar", z="", ball="disc", box="")
+
+ASK = """
+import sys
+sys.argv = ["open_in_paraview.py", "--picture", sys.argv[1]]
+exec(compile(open("open_in_paraview.py").read(), "open_in_paraview.py", "exec"))
+view = pv.GetActiveView()
+names = {name for name, _ in pv.GetSources()}
+shown = sorted(name for (name, _), source in pv.GetSources().items() if pv.GetRepresentation(source, view).Visibility)
+print("times", len(pv.FindSource("fields").TimestepValues), pv.FindSource("fields").TimestepValues[-1])
+print("now", pv.GetAnimationScene().AnimationTime)
+print("shown", *shown)
+print("levels", *pv.FindSource("levels").CellData["level"].GetRange())
+print("bodies", *pv.FindSource("bodies").GetDataInformation().GetBounds())
+print("cells", pv.FindSource("matter").GetDataInformation().GetNumberOfCells())
+"""
+
+
+def pixels(png):
+    """Rows of (red, green, blue) of a PNG of 8 bits a channel without interlacing."""
+    data, place, packed = png.read_bytes(), 8, b""
+    while place < len(data):
+        (size,), kind = struct.unpack(">I", data[place : place + 4]), data[place + 4 : place + 8]
+        body = data[place + 8 : place + 8 + size]
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", body[:10])
+        packed += body if kind == b"IDAT" else b""
+        place += size + 12
+    assert depth == 8 and colour in (2, 6), (depth, colour)
+    wide, raw, before, rows = (3 if colour == 2 else 4), zlib.decompress(packed), None, []
+    for j in range(height):
+        rule, row = raw[j * (wide * width + 1)], bytearray(raw[j * (wide * width + 1) + 1 : (j + 1) * (wide * width + 1)])
+        before = before or bytearray(len(row))
+        for k in range(len(row)):
+            left, up, corner = (row[k - wide] if k >= wide else 0), before[k], (before[k - wide] if k >= wide else 0)
+            near = min((left, up, corner), key=lambda p, s=left + up - corner: abs(s - p))
+            row[k] = (row[k] + (0, left, up, (left + up) // 2, near)[rule]) % 256
+        rows.append([tuple(row[wide * i : wide * i + 3]) for i in range(width)])
+        before = row
+    return rows
+
+
+class ParaView(unittest.TestCase):
+    def opened(self, case):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        folder = pathlib.Path(holder.name)
+        (folder / "case.toml").write_text(case)
+        done = subprocess.run([RECOIL, "run", "case.toml", "-o", "run", "-q"], cwd=folder, capture_output=True, text=True,
+                              timeout=300, check=False)  # fmt: skip
+        self.assertIn(done.returncode, (0, 6), done.stdout + done.stderr)
+        run = folder / "run"
+        (run / "ask.py").write_text(ASK)
+        done = subprocess.run([PVPYTHON, "ask.py", "picture.png"], cwd=run, capture_output=True, text=True, timeout=300, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        said = {line.split()[0]: line.split()[1:] for line in done.stdout.splitlines() if line}
+        if keep := os.environ.get("RECOIL_KEEP"):
+            (pathlib.Path(keep) / f"{self.id().rsplit('.', 1)[1]}.png").write_bytes((run / "picture.png").read_bytes())
+        return said, pixels(run / "picture.png")
+
+    def expect_view(self, said, picture, shown):
+        self.assertEqual(int(said["times"][0]), 5)
+        self.assertAlmostEqual(float(said["times"][1]), 4e-7, delta=1e-12)
+        self.assertEqual(float(said["now"][0]), float(said["times"][1]))
+        self.assertEqual(said["shown"], shown)
+        self.assertEqual([float(v) for v in said["levels"]], [0, 1])
+        low_y, high_y = float(said["bodies"][2]), float(said["bodies"][3])
+        self.assertAlmostEqual(low_y, -2e-3, delta=1e-4)
+        self.assertAlmostEqual(high_y, 2.1e-3 - 400 * 4e-7, delta=1e-4, msg="the ball has moved")
+        colours = [p for row in picture for p in row if max(p) - min(p) > 40]
+        self.assertGreater(len(colours), 0.1 * len(picture) * len(picture[0]), "the bodies fill much of the picture")
+        self.assertGreater(len({tuple(c // 16 for c in p) for p in colours}), 20, "a field in many colours")
+
+    def test_plane(self):
+        self.expect_view(*self.opened(PLANE), ["bodies", "matter", "time"])
+
+    def test_space(self):
+        self.expect_view(*self.opened(SPACE), ["bodies", "time"])
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())
