@@ -84,6 +84,13 @@ void draw_scale(Canvas& canvas, double pixels_per_m, const PixelRect& area) {
              .vertical = VerticalAnchor::baseline});
 }
 
+/// What the heading needs of the width, where its title is small: narrow views get room beside them.
+double heading_width(const SpacePicture& p) {
+  if (p.title.empty() && p.note.empty()) return 0;
+  return std::min(p.max_width - left - 24.0,
+                  text_width(p.title, 14, true) + 24 + text_width(p.note, kPictureStyle.text));
+}
+
 /// Where the marks lie in the picture, and which of them have matter before them.
 std::vector<Mark> placed_marks(const SpacePicture& p, const SpaceRays& rays, const PixelRect& area) {
   double fastest = 0;
@@ -172,15 +179,16 @@ Canvas space_picture(const SpacePicture& p, const SpaceRays& rays, const Colours
   const Image image = shaded(rays, p.view, colours, rays.cell);
   const ColourKey key{colours, p.label, false};
   const PixelRect area{left, top_of(p), left + image.width, top_of(p) + image.height};
-  Canvas canvas(static_cast<int>(std::ceil(area.x1 + key_width(key))), static_cast<int>(area.y1 + band),
-                kPictureStyle.page);
+  const double heading = std::max(area.x1, left + heading_width(p));
+  Canvas canvas(static_cast<int>(std::ceil(std::max(area.x1 + key_width(key), heading + 24))),
+                static_cast<int>(area.y1 + band), kPictureStyle.page);
   draw_image(canvas, image, area);
   const double inset = std::min(40.0, 0.1 * (area.y1 - area.y0));
   draw_key(canvas, key, {area.x0, area.y0 + inset, area.x1, area.y1 - inset}, 0);
   draw_axes_of(canvas, p.view, {area.x0 + 44, area.y1 + band - 46});
   draw_scale(canvas, 0.5 / rays.screen.pixel, area);
   draw_marks(canvas, placed_marks(p, rays, area), canvas.bounds());
-  draw_heading(canvas, area, p.title, p.note);
+  draw_heading(canvas, {area.x0, area.y0, heading, area.y1}, p.title, p.note);
   return canvas;
 }
 
