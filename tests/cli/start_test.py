@@ -13,6 +13,8 @@ TEMPLATES = sorted(p.stem for p in (DATA / "templates").glob("*.toml"))
 # Coarse and short: that they run, not what they find.
 QUICK = {
     "flyer": ["--set", "mesh.finest=0.2mm"],
+    "driven-plate": ["--set", "mesh.finest=0.2mm"],
+    "layered": ["--set", "mesh.finest=0.05mm"],
     "spall": ["--set", "mesh.finest=0.04mm"],
     "cylinder": ["--set", "mesh.finest=1.3mm", "--end", "1.5us"],
     "whipple": ["--set", "mesh.finest=0.4mm", "--end", "0.8us"],
