@@ -28,7 +28,7 @@ class Levels(Program):
 
     def test_a_run_goes_on_across_a_change_of_the_mesh_with_other_processes(self):
         whole = self.run_flyer("whole")
-        parts = self.run_flyer("parts", "--wall", "100ms", code=75)
+        parts = self.run_flyer("parts", "--wall", "30ms", code=75)
         self.expect(recoil("resume", parts, "-n", "2"), 0)
         self.expect_same(whole, parts)
 
