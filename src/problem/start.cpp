@@ -155,20 +155,7 @@ void check_whole(const Grid<Dim>& grid, const std::string& name,
 template <int Dim>
 RigidMotion<Dim> rigid_motion(const Grid<Dim>& grid, const config::Body& from,
                               const std::function<double(const Vec<Dim>&)>& distance) {
-  RigidMotion<Dim> m;
-  m.distance = distance;
-  Vec<3> spin;
-  for (int d = 0; d < 3; ++d) spin[d] = from.spin[d];
-  set_moving(m, first_components<Dim>(from.velocity), spin);
-  if (!from.velocity_history.empty()) {
-    m.history.emplace();
-    for (const config::TimedVelocity& t : from.velocity_history) {
-      m.history->times.push_back(t.time);
-      m.history->velocities.push_back(first_components<Dim>(t.velocity));
-    }
-    m.velocity = m.mean_velocity = m.history->at(0);
-  }
-  m.start_centre = m.centre = first_components<Dim>(from.spin_centre);
+  RigidMotion<Dim> m = prescribed_motion<Dim>(from, distance);
   if (!(from.mass > 0)) return m;
   check_whole(grid, from.name, distance);
   Vec<3> inertia;
@@ -286,6 +273,24 @@ Grid<Dim> make_grid(const config::Case& c) {
 }
 
 template <int Dim>
+RigidMotion<Dim> prescribed_motion(const config::Body& body,
+                                   const std::function<double(const Vec<Dim>&)>& distance) {
+  RigidMotion<Dim> m;
+  m.distance = distance;
+  set_moving(m, first_components<Dim>(body.velocity), first_components<3>(body.spin));
+  if (!body.velocity_history.empty()) {
+    m.history.emplace();
+    for (const config::TimedVelocity& t : body.velocity_history) {
+      m.history->times.push_back(t.time);
+      m.history->velocities.push_back(first_components<Dim>(t.velocity));
+    }
+    m.velocity = m.mean_velocity = m.history->at(0);
+  }
+  m.start_centre = m.centre = first_components<Dim>(body.spin_centre);
+  return m;
+}
+
+template <int Dim>
 std::vector<double> cells_at_start(const config::Case& c) {
   const Grid<Dim> grid = make_grid<Dim>(c);
   std::vector<std::function<double(const Vec<Dim>&)>> distance;
@@ -363,10 +368,12 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
   return state;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                          \
-  template Grid<Dim> make_grid<Dim>(const config::Case&);                                \
-  template std::vector<double> cells_at_start<Dim>(const config::Case&);                 \
-  template State<Dim> make_state<Dim>(const config::Case&, const std::vector<Material>&, \
+#define RECOIL_INSTANTIATE(Dim)                                                                    \
+  template Grid<Dim> make_grid<Dim>(const config::Case&);                                          \
+  template std::vector<double> cells_at_start<Dim>(const config::Case&);                           \
+  template RigidMotion<Dim> prescribed_motion<Dim>(const config::Body&,                            \
+                                                   const std::function<double(const Vec<Dim>&)>&); \
+  template State<Dim> make_state<Dim>(const config::Case&, const std::vector<Material>&,           \
                                       const parallel::World&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -16,13 +16,11 @@ namespace recoil::app {
 
 namespace {
 
-Vec<3> point(const config::Vector& v) { return Vec<3>{{v[0], v[1], v[2]}}; }
-
 /// The shapes of a case: they are exact, and known in all of the domain.
 class CaseScene : public Scene {
  public:
   explicit CaseScene(const config::Case& c) : cell_(0.1 * c.mesh.finest) {
-    box_ = {point(c.domain.lo), point(c.domain.hi)};
+    box_ = {config::first_components<3>(c.domain.lo), config::first_components<3>(c.domain.hi)};
     for (const config::Body& body : c.bodies) bodies_.push_back(signed_distance<3>(body.shape, c.domain));
   }
 
@@ -76,11 +74,13 @@ void add_marks(SpacePicture& p, const config::Case& c, const SpaceRays& rays) {
   for (const StartMotion& motion : start_motions(c)) {
     const Seen& its = seen[motion.body];
     if (its.rays > 0)
-      p.marks.push_back({its.sum * (1.0 / its.rays), point(motion.velocity), motion.label, true});
+      p.marks.push_back(
+          {its.sum * (1.0 / its.rays), config::first_components<3>(motion.velocity), motion.label, true});
     else
       p.note += "; not seen: " + c.bodies[motion.body].name + ", " + motion.label;
   }
-  for (const GaugePlace& g : gauge_places(c)) p.marks.push_back({point(g.at), {}, g.name});
+  for (const GaugePlace& g : gauge_places(c))
+    p.marks.push_back({config::first_components<3>(g.at), {}, g.name});
 }
 
 }  // namespace

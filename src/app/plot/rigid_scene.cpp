@@ -5,13 +5,12 @@
 #include <limits>
 
 #include "problem/shape.hpp"
+#include "problem/start.hpp"
 #include "state/rigid_motion.hpp"
 
 namespace recoil::app {
 
 namespace {
-
-Vec<3> point(const config::Vector& v) { return Vec<3>{{v[0], v[1], v[2]}}; }
 
 /// Distance to a box from outside, 0 inside.
 double outside_of(const SpaceBox& box, const Vec<3>& x) {
@@ -23,19 +22,8 @@ double outside_of(const SpaceBox& box, const Vec<3>& x) {
 /// Its signed distance at a time [s].
 std::function<double(const Vec<3>&)> distance_then(const config::Body& body, const config::Domain& domain,
                                                    double time) {
-  RigidMotion<3> motion;
-  motion.distance = signed_distance<3>(body.shape, domain);
-  motion.start_centre = motion.centre = point(body.spin_centre);
-  Vec<3> velocity = point(body.velocity);
-  if (!body.velocity_history.empty()) {
-    VelocityHistory<3> history;
-    for (const config::TimedVelocity& t : body.velocity_history) {
-      history.times.push_back(t.time);
-      history.velocities.push_back(point(t.velocity));
-    }
-    velocity = history.mean(0, time);
-  }
-  set_moving(motion, velocity, point(body.spin));
+  auto motion = prescribed_motion<3>(body, signed_distance<3>(body.shape, domain));
+  follow_history(motion, 0, time);
   return [motion, pose = pose_after(motion, time)](const Vec<3>& x) { return distance_at(motion, pose, x); };
 }
 
@@ -51,7 +39,8 @@ RigidScene::RigidScene(const Scene& scene, int bodies, const config::Case& c, do
       continue;
     rigid_.push_back(distance_then(body, c.domain, time));
   }
-  if (!rigid_.empty()) box_ = {point(c.domain.lo), point(c.domain.hi)};
+  if (!rigid_.empty())
+    box_ = {config::first_components<3>(c.domain.lo), config::first_components<3>(c.domain.hi)};
 }
 
 /// A dump has empty cells around all matter but where it meets the edge of the domain: beyond its box nothing
