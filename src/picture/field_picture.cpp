@@ -133,8 +133,9 @@ void paint_field(Canvas& canvas, const FieldPicture& p, const Layout& l) {
     for (int i = 0; i < image.width; ++i) {
       int sum[3] = {0, 0, 0};
       for (int k = 0; k < n * n; ++k) {
-        const double u = (i + (k % n + 0.5) / n) * cells_x - (p.mirror ? p.nx : 0);
-        const double v = (image.height - j - (k / n + 0.5) / n) * cells_y;
+        const int column = k % n, row = k / n;
+        const double u = (i + (column + 0.5) / n) * cells_x - (p.mirror ? p.nx : 0);
+        const double v = (image.height - j - (row + 0.5) / n) * cells_y;
         const Rgb c = l.key.colours.at(sampler.at(std::abs(u), v));
         sum[0] += c.r, sum[1] += c.g, sum[2] += c.b;
       }

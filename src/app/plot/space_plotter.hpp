@@ -42,9 +42,9 @@ class SpacePlotter {
  private:
   SpacePicture empty_picture(const ChosenDump& dump) const;
   FieldScene scene_of(const ChosenDump& dump) const;
-  /// What the scene becomes with rigid bodies [time in s] and with --mirror.
+  /// Calls f(scene) with the rigid bodies added to the field [time in s], and with --mirror.
   template <class F>
-  auto completed(const FieldScene& scene, double time, F&& f) const;
+  auto completed(const FieldScene& field, double time, F&& f) const;
   ViewWindow seen_of(const FieldScene& scene, double time) const;
 
   PlotOptions options_;
