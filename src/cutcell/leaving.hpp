@@ -59,11 +59,11 @@ bool leaves_domain(const MovesView<Dim>& p, const Index<Dim>& i) {
 
 /// Adds what leaves to the account of the edges.
 template <int Dim>
-void book(const Contents<Dim>& contents, Account<Dim>& edges) {
+void book(const Contents<Dim>& contents, ExactAccount<Dim>& edges) {
   using C = Components<Dim>;
   edges.mass += contents[C::rho];
   edges.energy += contents[C::energy];
-  for (int d = 0; d < Dim; ++d) edges.momentum[d] += contents[C::u + static_cast<std::size_t>(d)];
+  for (std::size_t d = 0; d < Dim; ++d) edges.momentum[d] += contents[C::u + d];
 }
 
 }  // namespace recoil

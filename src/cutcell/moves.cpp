@@ -236,7 +236,8 @@ void add_given(const MovesView<Dim>& p, const Index<Dim>& giver, const Contents<
 
 /// What a full cell at an open edge, beyond which the body goes on, gives there or takes from there.
 template <int Dim>
-Transfer<Dim> across_edge(const MovesView<Dim>& p, const Index<Dim>& i, double excess, Account<Dim>& edges) {
+Transfer<Dim> across_edge(const MovesView<Dim>& p, const Index<Dim>& i, double excess,
+                          ExactAccount<Dim>& edges) {
   Transfer<Dim> t;
   const double v = p.volume[p.window.at(i)];
   if (!(v > least_state_fill * p.full(i))) return t;
@@ -294,7 +295,7 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
 }
 
 template <int Dim>
-void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Account<Dim>& edges,
+void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccount<Dim>& edges,
                    Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
@@ -324,7 +325,8 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Account<D
 }
 
 template <int Dim>
-void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Account<Dim>& edges, Scratch& scratch) {
+void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccount<Dim>& edges,
+                 Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
@@ -384,11 +386,11 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   transfer<Dim>(p, b, senders, count, scratch, decide);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                  \
-  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);       \
-  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                       \
-  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, Account<Dim>&, Scratch&); \
-  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, Account<Dim>&, Scratch&);   \
+#define RECOIL_INSTANTIATE(Dim)                                                                       \
+  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);            \
+  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                            \
+  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, ExactAccount<Dim>&, Scratch&); \
+  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, ExactAccount<Dim>&, Scratch&);   \
   template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

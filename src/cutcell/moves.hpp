@@ -26,14 +26,16 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot);
 /// edge of the domain the body has left, and what the cell still holds leaves too; so does the last of a body
 /// that moves out there, less than half a cell with no more around. Both are booked in `edges`.
 template <int Dim>
-void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, Account<Dim>& edges, Scratch& scratch);
+void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccount<Dim>& edges,
+                   Scratch& scratch);
 
 /// Cells that the geometry shows full pass what they hold beyond a whole cell to their neighbour outwards, or
 /// take what they lack from it. In a thin body a deficit stays where the neighbour cannot give it. Where
 /// outwards is beyond an open edge of the domain, the body goes on there in the cell's own state, and what
 /// passes is booked in `edges`. Farther than six cells inside nothing moves.
 template <int Dim>
-void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, Account<Dim>& edges, Scratch& scratch);
+void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccount<Dim>& edges,
+                 Scratch& scratch);
 
 /// Bounds the volume of cut cells: below the bound all goes to the fullest neighbour, above it the excess to
 /// the emptiest cut one. The bounds are [0, full] where a body is thinner than about two cells, 0.1 full

@@ -164,7 +164,7 @@ void add_fluxes(const Faces<Dim>& in, Work<Dim>& w) {
 /// Books what passes the edges of the domain, times `booked` seconds. Nothing is booked at periodic edges: it
 /// comes back on the other side.
 template <int Dim>
-void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booked, Account<Dim>& edges) {
+void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booked, ExactAccount<Dim>& edges) {
   using C = Components<Dim>;
   if (w.grid.periodic(axis)) return;
   const std::size_t nf = in.flux.faces;
@@ -180,7 +180,7 @@ void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booke
       const int k = in.box.at(i);
       edges.mass += sign * area[k] * flux[C::rho * nf + k];
       edges.energy += sign * area[k] * flux[C::energy * nf + k];
-      for (int d = 0; d < Dim; ++d) edges.momentum[d] += sign * area[k] * flux[(C::u + d) * nf + k];
+      for (std::size_t d = 0; d < Dim; ++d) edges.momentum[d] += sign * area[k] * flux[(C::u + d) * nf + k];
     });
   }
 }
@@ -189,7 +189,7 @@ void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booke
 /// @param booked seconds with which what passes the edges of the domain is booked in `edges`.
 template <int Dim, int Axis, bool Shear, class Scheme>
 void sweep(const AnyEos& eos, double g, const Geometry<Dim>& geometry, Work<Dim>& w, double booked,
-           Account<Dim>& edges, Counters& counters, Scratch& scratch) {
+           ExactAccount<Dim>& edges, Counters& counters, Scratch& scratch) {
   const Scratch::Frame frame(scratch);
   Box<Dim> faces = w.cells;
   ++faces.hi[Axis];

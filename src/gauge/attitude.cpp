@@ -15,8 +15,8 @@ constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 /// Places of mass, moments and second moments of a part in a row; the whole has its motion behind them.
 enum : std::size_t { mass, x, y, xx, xy, yy, part_sums, px = part_sums, py, turning, whole_sums };
 
-/// All fragments of a body in this rank's blocks: f(order of the block, mass, place, momentum), the last two
-/// in the plane. A fragment of a cut cell counts at the middle of the cell.
+/// All fragments of a body in this rank's blocks: f(mass, place, momentum), the last two in the plane. A
+/// fragment of a cut cell counts at the middle of the cell.
 template <int Dim, class F>
 void for_each_fragment(const State<Dim>& state, int m, F&& f) {
   using C = Components<Dim>;
@@ -30,13 +30,13 @@ void for_each_fragment(const State<Dim>& state, int m, F&& f) {
       const auto k = static_cast<std::size_t>(state.grid().layout().at(i - block.cells.lo));
       if (!(b.contents[k] > 0)) return;
       const Vec<Dim> c = state.grid(slot).centre(i);
-      f(block.order, b.contents[k], Plane{c[0], c[Dim > 1 ? 1 : 0]},
+      f(b.contents[k], Plane{c[0], c[Dim > 1 ? 1 : 0]},
         Plane{b.contents[C::u * n + k], b.contents[(C::u + (Dim > 1 ? 1 : 0)) * n + k]});
     });
   }
 }
 
-void add_part(std::span<double> to, double m, const Plane& r) {
+void add_part(std::span<ExactSum> to, double m, const Plane& r) {
   to[mass] += m;
   to[x] += m * r[0], to[y] += m * r[1];
   to[xx] += m * r[0] * r[0], to[xy] += m * r[0] * r[1], to[yy] += m * r[1] * r[1];
@@ -82,33 +82,22 @@ AttitudeFrame frame_of(std::span<const double> s) {
 
 template <int Dim>
 AttitudeFrame find_frame(const State<Dim>& state, int body, const parallel::World& world) {
-  OrderedSums sums;
+  ExactSums sums;
   const int item = sums.item(whole_sums);
-  std::span<double> row;
-  long last = -1;
-  for_each_fragment(state, body, [&](long order, double m, const Plane& r, const Plane& p) {
-    if (order != last) row = sums.add(item, order);
-    last = order;
-    add_part(row, m, r);
+  const SumRow row = sums.add(item);
+  for_each_fragment(state, body, [&](double m, const Plane& r, const Plane& p) {
+    add_part(row.sums, m, r);
     row[px] += p[0], row[py] += p[1];
     row[turning] += r[0] * p[1] - r[1] * p[0];
   });
   sums.reduce(world);
-  AttitudeFrame frame;
-  if (world.rank() == 0) frame = frame_of(sums.total(item));
-  if (world.size() == 1) return frame;
-  parallel::Bytes bytes;
-  parallel::pack(bytes, frame);
-  world.broadcast(bytes);
-  return parallel::Unpacker(bytes).read<AttitudeFrame>();
+  return frame_of(sums.total(item));
 }
 
 template <int Dim>
-void collect_attitude(const State<Dim>& state, int body, const AttitudeFrame& f, int item,
-                      OrderedSums& sums) {
-  std::span<double> row;
-  long last = -1;
-  for_each_fragment(state, body, [&](long order, double m, const Plane& at, const Plane& p) {
+void collect_attitude(const State<Dim>& state, int body, const AttitudeFrame& f, int item, ExactSums& sums) {
+  const SumRow row = sums.add(item);
+  for_each_fragment(state, body, [&](double m, const Plane& at, const Plane& p) {
     const Plane r{at[0] - f.centre[0], at[1] - f.centre[1]};
     const double ahead = r[0] * f.axis[0] + r[1] * f.axis[1];
     // A fragment counts by its part beyond the cut, so that nothing jumps when it passes.
@@ -117,11 +106,9 @@ void collect_attitude(const State<Dim>& state, int body, const AttitudeFrame& f,
     };
     const double half = beyond(0), third = beyond(f.length / 6);
     if (!(half > 0)) return;
-    if (order != last) row = sums.add(item, order);
-    last = order;
-    add_part(row.first(part_sums), half * m, r);
+    add_part(row.sums.first(part_sums), half * m, r);
     if (!(third > 0)) return;
-    add_part(row.subspan(part_sums, part_sums), third * m, r);
+    add_part(row.sums.subspan(part_sums, part_sums), third * m, r);
     row[2 * part_sums] += third * p[0], row[2 * part_sums + 1] += third * p[1];
   });
 }
@@ -146,7 +133,7 @@ Attitude read_attitude(const AttitudeFrame& f, std::span<const double> total) {
 
 #define RECOIL_INSTANTIATE(Dim)                                                           \
   template AttitudeFrame find_frame<Dim>(const State<Dim>&, int, const parallel::World&); \
-  template void collect_attitude<Dim>(const State<Dim>&, int, const AttitudeFrame&, int, OrderedSums&);
+  template void collect_attitude<Dim>(const State<Dim>&, int, const AttitudeFrame&, int, ExactSums&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

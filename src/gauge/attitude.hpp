@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "parallel/ordered_sums.hpp"
+#include "parallel/exact_sums.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
@@ -42,7 +42,7 @@ AttitudeFrame find_frame(const State<Dim>& state, int body, const parallel::Worl
 /// Adds this rank's share of the parts ahead. Not collective.
 template <int Dim>
 void collect_attitude(const State<Dim>& state, int body, const AttitudeFrame& frame, int item,
-                      OrderedSums& sums);
+                      ExactSums& sums);
 
 /// On rank 0, after the reduction; NaN where there is no matter.
 Attitude read_attitude(const AttitudeFrame& frame, std::span<const double> total);

@@ -26,7 +26,7 @@ double radius_of(const Vec<Dim>& x) {
   return std::abs(x[0]);
 }
 
-/// Places in a row of OrderedSums. Sums: volume by row of cells across the axis. Maxima: two strains, both
+/// Places in a row of ExactSums. Sums: volume by row of cells across the axis. Maxima: two strains, both
 /// ends, the radius by row, and minus the gap under the foot by distance from the axis in cells.
 template <int Dim>
 struct At {
@@ -76,7 +76,7 @@ void for_crossings(const State<Dim>& state, const BarWatch& bar, int slot, F&& f
 
 template <int Dim>
 void add_strains(const State<Dim>& state, const BodyBlock<Dim>& b, int slot, const At<Dim>& at,
-                 std::span<double> row) {
+                 const SumRow& row) {
   using C = Components<Dim>;
   const Box<Dim> cells = state.mesh.block(slot).cells;
   const int parts = 1 << state.mesh.block(slot).level;
@@ -88,8 +88,8 @@ void add_strains(const State<Dim>& state, const BodyBlock<Dim>& b, int slot, con
       row[at.volume + static_cast<std::size_t>(i[axis<Dim>] * parts + part)] += b.volume[k] / parts;
     if (b.volume[k] < shown_fill * grid.full_volume(i) || !(b.contents[k] > 0)) return;
     const double ep = b.contents[C::ep * n + k] / b.contents[k];
-    row[at.strain] = std::max(row[at.strain], ep);
-    if (radius_of(grid.centre(i)) < grid.dx) row[at.axis_strain] = std::max(row[at.axis_strain], ep);
+    row.raise(at.strain, ep);
+    if (radius_of(grid.centre(i)) < grid.dx) row.raise(at.axis_strain, ep);
   });
 }
 
@@ -132,21 +132,21 @@ struct Underside {
 }  // namespace
 
 template <int Dim>
-int bar_item(const Grid<Dim>& grid, OrderedSums& sums) {
+int bar_item(const Grid<Dim>& grid, ExactSums& sums) {
   const At<Dim> at(grid);
   return sums.item(at.rows, at.all - at.rows);
 }
 
 template <int Dim>
-void collect_bar(const State<Dim>& state, const BarWatch& bar, int item, OrderedSums& sums) {
+void collect_bar(const State<Dim>& state, const BarWatch& bar, int item, ExactSums& sums) {
   const Grid<Dim>& grid = state.grid();
   const At<Dim> at(grid);
   const Body<Dim>& body = state.bodies[bar.body];
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
     if (body.rigid || !body.present(slot)) continue;
     const Block<Dim>& block = state.mesh.block(slot);
-    const std::span<double> row = sums.add(item, block.order);
-    const auto raise = [&row](std::size_t where, double value) { row[where] = std::max(row[where], value); };
+    const SumRow row = sums.add(item);
+    const auto raise = [&row](std::size_t where, double value) { row.raise(where, value); };
     add_strains(state, body.at(slot), slot, at, row);
     if (block.level > 0) continue;  // no surface is there
     for_crossings(state, bar, slot,
@@ -196,9 +196,9 @@ BarReading read_bar(const Grid<Dim>& grid, BarWatch& bar, std::span<const double
   return r;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                          \
-  template int bar_item<Dim>(const Grid<Dim>&, OrderedSums&);                            \
-  template void collect_bar<Dim>(const State<Dim>&, const BarWatch&, int, OrderedSums&); \
+#define RECOIL_INSTANTIATE(Dim)                                                        \
+  template int bar_item<Dim>(const Grid<Dim>&, ExactSums&);                            \
+  template void collect_bar<Dim>(const State<Dim>&, const BarWatch&, int, ExactSums&); \
   template BarReading read_bar<Dim>(const Grid<Dim>&, BarWatch&, std::span<const double>);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

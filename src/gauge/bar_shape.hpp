@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "parallel/ordered_sums.hpp"
+#include "parallel/exact_sums.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
@@ -30,11 +30,11 @@ struct BarReading {
 
 /// Declares what a bar takes.
 template <int Dim>
-int bar_item(const Grid<Dim>& grid, OrderedSums& sums);
+int bar_item(const Grid<Dim>& grid, ExactSums& sums);
 
 /// Adds this rank's share of the shape. Not collective.
 template <int Dim>
-void collect_bar(const State<Dim>& state, const BarWatch& bar, int item, OrderedSums& sums);
+void collect_bar(const State<Dim>& state, const BarWatch& bar, int item, ExactSums& sums);
 
 /// On rank 0, after the reduction; the first reading sets the bar's start_radius.
 template <int Dim>

@@ -36,7 +36,7 @@ std::vector<std::uint32_t> have_touched(const State<Dim>& state, const parallel:
   std::vector<std::int64_t> met(static_cast<std::size_t>(n * (n - 1) / 2));
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
     const auto& pairs = state.ledger[slot].pairs;
-    for (std::size_t p = 0; p < pairs.size(); ++p) met[p] += pairs[p].exchanged.momentum != Vec<Dim>{};
+    for (std::size_t p = 0; p < pairs.size(); ++p) met[p] += pairs[p].exchanged.is_zero() ? 0 : 1;
   }
   world.sum(met);
   std::vector<std::uint32_t> touched(static_cast<std::size_t>(n));

@@ -12,7 +12,7 @@
 #include "gauge/pair_sample.hpp"
 #include "gauge/time_series.hpp"
 #include "gauge/totals.hpp"
-#include "parallel/ordered_sums.hpp"
+#include "parallel/exact_sums.hpp"
 #include "parallel/world.hpp"
 #include "state/body.hpp"
 
@@ -27,7 +27,7 @@ inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 template <int Dim>
 struct GaugeReading {
   double time, dt;  // s
-  const OrderedSums& sums;
+  const ExactSums& sums;
   const std::vector<PairSample>& pairs;  // by pair_number()
   const Totals<Dim>* totals;             // where needs_totals(), else null
   const RunUnits& units;
@@ -52,9 +52,9 @@ class GaugeWatch {
 
   /// Adds this rank's share. Collective.
   virtual void collect(const State<Dim>& /*state*/, const parallel::World& /*world*/, bool /*at_rest*/,
-                       OrderedSums& /*sums*/) {}
+                       ExactSums& /*sums*/) {}
   /// What happens at each step, on rank 0. @param dt [s]
-  virtual void follow(const OrderedSums& /*sums*/, double /*dt*/) {}
+  virtual void follow(const ExactSums& /*sums*/, double /*dt*/) {}
   /// Appends the values of all columns, in SI; of a record over a distance nothing. On rank 0.
   virtual void read(const GaugeReading<Dim>& reading, std::vector<double>& row) = 0;
   /// The values of a record over a distance: [column][distance].
@@ -70,7 +70,7 @@ template <int Dim>
 struct WatchSetup {
   const config::Case& contents;
   const State<Dim>& state;
-  OrderedSums& sums;  // in which it declares its own
+  ExactSums& sums;  // in which it declares its own
 };
 
 /// Makes the watch of one kind: a specialisation for each, in gauge/kind/NAME_gauge.cpp.

@@ -26,7 +26,7 @@ double every(const config::GaugeKind& kind) {
 
 template <int Dim>
 Gauges<Dim>::Gauges(const config::Case& c, const State<Dim>& state, const parallel::World& world,
-                    const std::filesystem::path& folder, OrderedSums& sums)
+                    const std::filesystem::path& folder, ExactSums& sums)
     : world_(world), units_(run_units(c.domain.geometry)), folder_(folder) {
   const WatchSetup<Dim> setup{c, state, sums};
   for (const config::Gauge& from : c.gauges) {
@@ -68,7 +68,7 @@ bool Gauges<Dim>::needs_totals(double time) const {
 }
 
 template <int Dim>
-void Gauges<Dim>::collect(const State<Dim>& state, OrderedSums& sums, bool at_rest, bool all) {
+void Gauges<Dim>::collect(const State<Dim>& state, ExactSums& sums, bool at_rest, bool all) {
   for (Gauge& g : gauges_)
     if (all || g.watch->follows_every_step() || g.due.at(state.time))
       g.watch->collect(state, world_, at_rest, sums);
@@ -116,8 +116,8 @@ void Gauges<Dim>::share() {
 }
 
 template <int Dim>
-void Gauges<Dim>::record(double time, double dt, const OrderedSums& sums,
-                         const std::vector<PairSample>& pairs, const Totals<Dim>* totals, bool all) {
+void Gauges<Dim>::record(double time, double dt, const ExactSums& sums, const std::vector<PairSample>& pairs,
+                         const Totals<Dim>* totals, bool all) {
   const GaugeReading<Dim> reading{time, dt, sums, pairs, totals, units_};
   for (Gauge& g : gauges_) {
     const bool due = all || g.due.at(time);

@@ -24,16 +24,16 @@ class Gauges {
  public:
   /// Declares what they sum; rank 0 opens the files. @throws EnvironmentError.
   Gauges(const config::Case& case_, const State<Dim>& state, const parallel::World& world,
-         const std::filesystem::path& folder, OrderedSums& sums);
+         const std::filesystem::path& folder, ExactSums& sums);
 
   /// Whether a gauge needs the sums over whole bodies at this time. The same on all ranks.
   bool needs_totals(double time) const;
   /// Adds this rank's share of all that is due. Collective.
   /// @param all also what is not due, as the last record() needs.
-  void collect(const State<Dim>& state, OrderedSums& sums, bool at_rest, bool all = false);
+  void collect(const State<Dim>& state, ExactSums& sums, bool at_rest, bool all = false);
   /// Records what is due, on rank 0, after the reduction; then moves the points, on all ranks. Collective.
   /// @param totals of this time where needs_totals(), else null. @param all record also what is not due.
-  void record(double time, double dt, const OrderedSums& sums, const std::vector<PairSample>& pairs,
+  void record(double time, double dt, const ExactSums& sums, const std::vector<PairSample>& pairs,
               const Totals<Dim>* totals, bool all = false);
   /// Hands what is written to the system.
   void flush();

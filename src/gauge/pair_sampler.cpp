@@ -5,12 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 namespace recoil {
 
 namespace {
 
-/// Places of the sums and maxima of one pair in a row of OrderedSums.
+/// Places of the sums and maxima of one pair in a row of ExactSums.
 template <int Dim>
 struct At {
   static constexpr std::size_t area = 0, traction = 1, velocity = 2, gap = 3, work = 4, force = 5,
@@ -34,9 +35,8 @@ double smallest_gap(const FieldArray<double>& first, const FieldArray<double>& s
   return least;
 }
 
-template <int Dim>
-void put(const Vec<Dim>& v, double* to) {
-  for (int d = 0; d < Dim; ++d) to[d] = v[d];
+void add(std::span<const ExactSum> from, std::span<ExactSum> to) {
+  for (std::size_t d = 0; d < from.size(); ++d) to[d] += from[d];
 }
 
 template <int Dim>
@@ -49,7 +49,7 @@ std::array<double, 3> take(const double* from) {
 }  // namespace
 
 template <int Dim>
-PairSampler<Dim>::PairSampler(int bodies, OrderedSums& sums) : pairs_(bodies * (bodies - 1) / 2) {
+PairSampler<Dim>::PairSampler(int bodies, ExactSums& sums) : pairs_(bodies * (bodies - 1) / 2) {
   for (int p = 0; p < pairs_; ++p) {
     const int item = sums.item(At<Dim>::sums, At<Dim>::maxima);
     if (p == 0) first_ = item;
@@ -57,27 +57,27 @@ PairSampler<Dim>::PairSampler(int bodies, OrderedSums& sums) : pairs_(bodies * (
 }
 
 template <int Dim>
-void PairSampler<Dim>::collect(const State<Dim>& state, OrderedSums& sums) const {
+void PairSampler<Dim>::collect(const State<Dim>& state, ExactSums& sums) const {
   using A = At<Dim>;
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
     const auto& pairs = state.ledger[slot].pairs;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       const PairRecord<Dim>& r = pairs[p];
-      if (r.area == 0 && r.exchanged.energy == 0 && r.exchanged.momentum == Vec<Dim>{}) continue;
-      double* to = sums.add(first_ + static_cast<int>(p), state.mesh.block(slot).order).data();
-      to[A::area] = r.area, to[A::traction] = r.traction, to[A::velocity] = r.velocity, to[A::gap] = r.gap;
-      to[A::work] = r.exchanged.energy;
-      put(r.force, to + A::force);
-      put(r.exchanged.momentum, to + A::impulse);
-      put(r.place, to + A::place);
-      if (r.area > 0) to[A::widest] = r.widest_gap, to[A::deepest] = -r.deepest_overlap;
+      if (r.area.is_zero() && r.exchanged.is_zero()) continue;
+      const SumRow to = sums.add(first_ + static_cast<int>(p));
+      to[A::area] += r.area, to[A::traction] += r.traction, to[A::velocity] += r.velocity;
+      to[A::gap] += r.gap, to[A::work] += r.exchanged.energy;
+      add(r.force, to.sums.subspan(A::force, Dim));
+      add(r.exchanged.momentum, to.sums.subspan(A::impulse, Dim));
+      add(r.place, to.sums.subspan(A::place, Dim));
+      if (!r.area.is_zero()) to.raise(A::widest, r.widest_gap), to.raise(A::deepest, -r.deepest_overlap);
     }
   }
   collect_gaps(state, sums);
 }
 
 template <int Dim>
-void PairSampler<Dim>::collect_gaps(const State<Dim>& state, OrderedSums& sums) const {
+void PairSampler<Dim>::collect_gaps(const State<Dim>& state, ExactSums& sums) const {
   const int n = state.count();
   for (int slot = 0; slot < state.mesh.local(); ++slot)
     for (int a = 0; a < n; ++a) {
@@ -88,13 +88,13 @@ void PairSampler<Dim>::collect_gaps(const State<Dim>& state, OrderedSums& sums) 
         if (!second.present(slot) || !second.at(slot).near_surface) continue;
         const double gap = smallest_gap(first.at(slot).phi, second.at(slot).phi, state.grid().dx);
         if (!std::isfinite(gap)) continue;
-        sums.add(first_ + pair_number(a, b, n), state.mesh.block(slot).order)[At<Dim>::minus_smallest] = -gap;
+        sums.add(first_ + pair_number(a, b, n)).raise(At<Dim>::minus_smallest, -gap);
       }
     }
 }
 
 template <int Dim>
-std::vector<PairSample> PairSampler<Dim>::read(const OrderedSums& sums) const {
+std::vector<PairSample> PairSampler<Dim>::read(const ExactSums& sums) const {
   using A = At<Dim>;
   std::vector<PairSample> all(static_cast<std::size_t>(pairs_));
   for (int p = 0; p < pairs_; ++p) {

@@ -214,13 +214,14 @@ double von_mises_of(const double* s) {
 }
 
 template <int Dim>
-void put(const Values<Dim>& v, const Vec<Dim>& x, double* to) {
+void put(const Values<Dim>& v, const Vec<Dim>& x, std::span<ExactSum> to) {
   using A = At<Dim>;
-  to = std::copy(v.begin(), v.begin() + A::strain, to);
-  *to++ = von_mises_of<Dim>(v.data() + A::stress);
-  *to++ = v[A::strain];
-  *to++ = v[A::temperature];
-  for (int d = 0; d < Dim; ++d) *to++ = x[d];
+  std::size_t k = 0;
+  for (; k < A::strain; ++k) to[k] += v[k];
+  to[k++] += von_mises_of<Dim>(v.data() + A::stress);
+  to[k++] += v[A::strain];
+  to[k++] += v[A::temperature];
+  for (int d = 0; d < Dim; ++d) to[k++] += x[d];
 }
 
 /// The cell of the domain that holds x; a point on the domain's high edge belongs to the last one.
@@ -238,7 +239,7 @@ Index<Dim> cell_in_domain(const Grid<Dim>& grid, const Vec<Dim>& x) {
 }  // namespace
 
 template <int Dim>
-void probe_point(const State<Dim>& state, const BodyPoint<Dim>& point, int item, OrderedSums& sums) {
+void probe_point(const State<Dim>& state, const BodyPoint<Dim>& point, int item, ExactSums& sums) {
   const Body<Dim>& body = state.bodies[point.body];
   if (body.rigid) return;
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
@@ -256,8 +257,7 @@ void probe_point(const State<Dim>& state, const BodyPoint<Dim>& point, int item,
       const Vec<Dim> then = ahead ? velocity_in<Dim>(*ahead) : point.velocity;
       x += (0.5 * dt) * (norm(then) * dt < grid.dx ? point.velocity + then : 2.0 * point.velocity);
     }
-    if (const auto found = values_at(around, x))
-      put<Dim>(*found, x, sums.add(item, state.mesh.block(slot).order).data());
+    if (const auto found = values_at(around, x)) put<Dim>(*found, x, sums.add(item).sums);
     return;
   }
 }
@@ -273,8 +273,8 @@ void follow_point(BodyPoint<Dim>& point, double time, bool found, std::span<cons
   }
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                \
-  template void probe_point<Dim>(const State<Dim>&, const BodyPoint<Dim>&, int, OrderedSums&); \
+#define RECOIL_INSTANTIATE(Dim)                                                              \
+  template void probe_point<Dim>(const State<Dim>&, const BodyPoint<Dim>&, int, ExactSums&); \
   template void follow_point<Dim>(BodyPoint<Dim>&, double, bool, std::span<const double>);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "gauge/point_state.hpp"
-#include "parallel/ordered_sums.hpp"
+#include "parallel/exact_sums.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
@@ -34,7 +34,7 @@ inline constexpr std::size_t point_sums = 5 + 2 * Dim + PointState<Dim>::stresse
 /// A point that follows the matter is moved first, from its own time to that of the state, by Heun's rule.
 /// After a step, or at the start.
 template <int Dim>
-void probe_point(const State<Dim>& state, const BodyPoint<Dim>& point, int item, OrderedSums& sums);
+void probe_point(const State<Dim>& state, const BodyPoint<Dim>& point, int item, ExactSums& sums);
 
 /// Moves a point that follows the matter to where probe_point() found it, and remembers its velocity. On rank
 /// 0, after the reduction, at the state's time [s].

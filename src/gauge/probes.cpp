@@ -26,14 +26,15 @@ void for_blocks_near(const State<Dim>& state, int body, const Vec<Dim>& x, F&& f
 
 /// Adds weight times velocity and normal to the near and far sums.
 template <int Dim>
-void add_reading(std::span<double> row, double r2, double weight, const Vec<Dim>& velocity,
+void add_reading(const SumRow& row, double r2, double weight, const Vec<Dim>& velocity,
                  const Vec<Dim>& normal) {
   for (std::size_t part = r2 <= near_reach * near_reach ? 0 : 1; part < 2; ++part) {
-    double* to = row.data() + part * (1 + 2 * Dim);
+    const std::span<ExactSum> to = row.sums.subspan(part * (1 + 2 * Dim));
     to[0] += weight;
     for (int d = 0; d < Dim; ++d) {
-      to[1 + d] += weight * velocity[d];
-      to[1 + Dim + d] += weight * normal[d];
+      const auto k = static_cast<std::size_t>(d);
+      to[1 + k] += weight * velocity[d];
+      to[1 + Dim + k] += weight * normal[d];
     }
   }
 }
@@ -48,10 +49,9 @@ double cells_apart2(const Vec<Dim>& a, const Vec<Dim>& b, double dx) {
 }  // namespace
 
 template <int Dim>
-void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int item, OrderedSums& sums) {
+void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int item, ExactSums& sums) {
   const double dx = state.grid().dx;
   for_blocks_near(state, point.body, point.at, [&](int slot, const BodyBlock<Dim>& b) {
-    std::span<double> row;
     for (std::size_t m = 0; m < std::min(b.walls.size(), b.geometry.cuts.size()); ++m) {
       const CutCell<Dim>& cut = b.geometry.cuts[m];
       const Wall<Dim>& wall = b.walls[m];
@@ -61,15 +61,15 @@ void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int 
       const Box<Dim> cells = state.mesh.block(slot).cells;
       const Index<Dim> i = cells.lo + state.grid().layout().index(cut.cell);
       const double area = norm(cut.surface) / (state.grid().dx_power(Dim - 1) * state.grid().radius(i[0]));
-      if (row.empty()) row = sums.add(item, state.mesh.block(slot).order);
-      add_reading(row, r2, std::exp(-2 * r2) * (area + least_area), wall.mean_velocity, wall.normal);
+      add_reading(sums.add(item), r2, std::exp(-2 * r2) * (area + least_area), wall.mean_velocity,
+                  wall.normal);
     }
   });
 }
 
 template <int Dim>
 void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& point, int item,
-                           OrderedSums& sums) {
+                           ExactSums& sums) {
   using C = Components<Dim>;
   const double dx = state.grid().dx;
   const Box<Dim> layout = state.grid().layout();
@@ -77,7 +77,6 @@ void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& poi
     const Box<Dim> cells = state.mesh.block(slot).cells;
     const std::size_t n = b.volume.size();
     const Window<Dim> window(state.mesh, slot, 1);
-    std::span<double> row;
     for_each(cells, [&](const Index<Dim>& i) {
       const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
       const double r2 = cells_apart2(state.grid().centre(i), point.at, dx);
@@ -85,8 +84,7 @@ void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& poi
       Vec<Dim> velocity;
       for (int d = 0; d < Dim; ++d)
         velocity[d] = b.contents[static_cast<std::size_t>(C::u + d) * n + k] / b.contents[k];
-      if (row.empty()) row = sums.add(item, state.mesh.block(slot).order);
-      add_reading(row, r2, std::exp(-2 * r2), velocity,
+      add_reading(sums.add(item), r2, std::exp(-2 * r2), velocity,
                   level_set_slope(window, state.bodies[point.body], i, 1, far_cells * dx));
     });
   });
@@ -114,10 +112,10 @@ void follow_surface(SurfacePoint<Dim>& point, const SurfaceReading<Dim>& reading
   point.at += dot(reading.velocity, reading.normal) * dt * reading.normal;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                             \
-  template void probe_surface<Dim>(const State<Dim>&, const SurfacePoint<Dim>&, int, OrderedSums&);         \
-  template void probe_surface_at_rest<Dim>(const State<Dim>&, const SurfacePoint<Dim>&, int, OrderedSums&); \
-  template SurfaceReading<Dim> read_surface<Dim>(std::span<const double>);                                  \
+#define RECOIL_INSTANTIATE(Dim)                                                                           \
+  template void probe_surface<Dim>(const State<Dim>&, const SurfacePoint<Dim>&, int, ExactSums&);         \
+  template void probe_surface_at_rest<Dim>(const State<Dim>&, const SurfacePoint<Dim>&, int, ExactSums&); \
+  template SurfaceReading<Dim> read_surface<Dim>(std::span<const double>);                                \
   template void follow_surface<Dim>(SurfacePoint<Dim>&, const SurfaceReading<Dim>&, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "parallel/ordered_sums.hpp"
+#include "parallel/exact_sums.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
@@ -32,12 +32,12 @@ inline constexpr std::size_t surface_sums = 2 * (1 + 2 * Dim);
 /// middle of the surface is r away count with exp(-2 r^2/dx^2) (|A_I|/dx^(Dim-1) + 0.02). Where the normal is
 /// known, surfaces that face the other way (the far side of a thin body) do not count. After a step.
 template <int Dim>
-void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int item, OrderedSums& sums);
+void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int item, ExactSums& sums);
 
 /// The same from the matter near the point and the level set, where there are no walls yet: at the start.
 template <int Dim>
 void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& point, int item,
-                           OrderedSums& sums);
+                           ExactSums& sums);
 
 template <int Dim>
 SurfaceReading<Dim> read_surface(std::span<const double> sums);

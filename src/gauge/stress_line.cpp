@@ -31,7 +31,7 @@ double along_line(const PointState<Dim>& p, const Vec<Dim>& n) {
 /// The share of a cell of the finest level in a station, if this rank has the block that holds its centre.
 template <int Dim>
 void add_cell(const State<Dim>& state, const StressLine<Dim>& line, const Index<Dim>& i, double weight,
-              int item, OrderedSums& sums) {
+              int item, ExactSums& sums) {
   const Vec<Dim> x = state.grid().centre(i);
   const int slot = state.mesh.find(x);
   const Body<Dim>& body = state.bodies[line.body];
@@ -44,10 +44,11 @@ void add_cell(const State<Dim>& state, const StressLine<Dim>& line, const Index<
   const Contents<Dim> contents = contents_of(body.at(slot), k);
   if (volume < shown_fill * grid.full_volume(cell) || !(contents[0] > 0)) return;
   const PointState<Dim> p = point_state(body, contents, volume);
-  const std::span<double> row = sums.add(item, block.order);
-  row[At<Dim>::weight] = weight;
-  for (int d = 0; d < Dim; ++d) row[At<Dim>::velocity + static_cast<std::size_t>(d)] = weight * p.velocity[d];
-  row[At<Dim>::stress] = -weight * along_line(p, line.along);
+  const SumRow row = sums.add(item);
+  row[At<Dim>::weight] += weight;
+  for (int d = 0; d < Dim; ++d)
+    row[At<Dim>::velocity + static_cast<std::size_t>(d)] += weight * p.velocity[d];
+  row[At<Dim>::stress] += -weight * along_line(p, line.along);
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ StressLine<Dim> stress_line(int body, const Vec<Dim>& from, const Vec<Dim>& to, 
 }
 
 template <int Dim>
-int line_items(const StressLine<Dim>& line, OrderedSums& sums) {
+int line_items(const StressLine<Dim>& line, ExactSums& sums) {
   int first = -1;
   for (std::size_t k = 0; k < line.stations.size(); ++k) {
     const int item = sums.item(At<Dim>::all);
@@ -74,7 +75,7 @@ int line_items(const StressLine<Dim>& line, OrderedSums& sums) {
 }
 
 template <int Dim>
-void collect_line(const State<Dim>& state, const StressLine<Dim>& line, int first_item, OrderedSums& sums) {
+void collect_line(const State<Dim>& state, const StressLine<Dim>& line, int first_item, ExactSums& sums) {
   const Grid<Dim>& grid = state.grid();
   for (std::size_t k = 0; k < line.stations.size(); ++k) {
     for_corners(grid, line.stations[k].at, [&](const Index<Dim>& i, double weight) {
@@ -84,7 +85,7 @@ void collect_line(const State<Dim>& state, const StressLine<Dim>& line, int firs
 }
 
 template <int Dim>
-void follow_line(StressLine<Dim>& line, double time, double dt, int first_item, const OrderedSums& sums) {
+void follow_line(StressLine<Dim>& line, double time, double dt, int first_item, const ExactSums& sums) {
   int item = first_item;
   for (Station<Dim>& s : line.stations) {
     const std::span<const double> total = sums.total(item++);
@@ -98,11 +99,11 @@ void follow_line(StressLine<Dim>& line, double time, double dt, int first_item, 
   }
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                  \
-  template StressLine<Dim> stress_line<Dim>(int, const Vec<Dim>&, const Vec<Dim>&, int);         \
-  template int line_items<Dim>(const StressLine<Dim>&, OrderedSums&);                            \
-  template void collect_line<Dim>(const State<Dim>&, const StressLine<Dim>&, int, OrderedSums&); \
-  template void follow_line<Dim>(StressLine<Dim>&, double, double, int, const OrderedSums&);
+#define RECOIL_INSTANTIATE(Dim)                                                                \
+  template StressLine<Dim> stress_line<Dim>(int, const Vec<Dim>&, const Vec<Dim>&, int);       \
+  template int line_items<Dim>(const StressLine<Dim>&, ExactSums&);                            \
+  template void collect_line<Dim>(const State<Dim>&, const StressLine<Dim>&, int, ExactSums&); \
+  template void follow_line<Dim>(StressLine<Dim>&, double, double, int, const ExactSums&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "parallel/ordered_sums.hpp"
+#include "parallel/exact_sums.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
@@ -31,16 +31,16 @@ StressLine<Dim> stress_line(int body, const Vec<Dim>& from, const Vec<Dim>& to, 
 
 /// Declares what the stations take. @returns the number of the first; the others follow.
 template <int Dim>
-int line_items(const StressLine<Dim>& line, OrderedSums& sums);
+int line_items(const StressLine<Dim>& line, ExactSums& sums);
 
 /// Adds the state at each station from the cells around it that hold at least 0.3 of the body, linear between
 /// their centres. Not collective.
 template <int Dim>
-void collect_line(const State<Dim>& state, const StressLine<Dim>& line, int first_item, OrderedSums& sums);
+void collect_line(const State<Dim>& state, const StressLine<Dim>& line, int first_item, ExactSums& sums);
 
 /// Takes the peaks of this time [s] and moves the stations on by a step dt [s]. On rank 0, after the
 /// reduction.
 template <int Dim>
-void follow_line(StressLine<Dim>& line, double time, double dt, int first_item, const OrderedSums& sums);
+void follow_line(StressLine<Dim>& line, double time, double dt, int first_item, const ExactSums& sums);
 
 }  // namespace recoil

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "parallel/ordered_sums.hpp"
+#include "parallel/exact_sums.hpp"
 
 namespace recoil {
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double judged_fill = 0.3;  // part of a cell from which on a fragment's strain counts
 
-/// Places of the sums and maxima of one body in a row of OrderedSums.
+/// Places of the sums and maxima of one body in a row of ExactSums.
 template <int Dim>
 struct At {
   static constexpr std::size_t mass = 0, momentum = 1, kinetic = momentum + Dim, energy = kinetic + 1,
@@ -26,65 +26,37 @@ struct At {
                                all = minus_lowest + Dim;
 };
 
-/// One row of cells along the first axis. The loop without branches is the one that costs.
+/// What one cell adds. @param x its centre.
 template <int Dim>
-void sum_row(const BodyBlock<Dim>& b, std::size_t first, std::size_t count, const Vec<Dim>& start, double dx,
-             double* out) {
+void add_cell(const BodyBlock<Dim>& b, std::size_t k, const Vec<Dim>& x, std::span<ExactSum> to) {
   using C = Components<Dim>;
   using A = At<Dim>;
   const std::size_t n = b.volume.size();
-  const double *q = b.contents.data() + first, *v = b.volume.data() + first;
-  const double* const damage = q + C::damage * n;
-  double mass = 0, kinetic = 0, energy = 0, volume = 0, speed = 0, moment = 0, cells = 0, failed = 0;
-  std::array<double, Dim> momentum{};
-#pragma omp simd reduction(+ : mass, kinetic, energy, volume, speed, moment, cells, failed)
-  for (std::size_t k = 0; k < count; ++k) {
-    const double m = q[k];
-    double p2 = 0;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      const double p = q[(C::u + d) * n + k];
-      p2 += p * p;
-    }
-    mass += m;
-    kinetic += m > 0 ? 0.5 * p2 / m : 0.0;
-    energy += q[C::energy * n + k];
-    volume += v[k];
-    speed += std::sqrt(p2);
-    moment += m * static_cast<double>(k);
-    cells += v[k] != 0 ? 1.0 : 0.0;
-    failed += damage[k] > 0 && damage[k] >= failed_damage * m ? m : 0.0;
+  const double mass = b.contents[k], damage = b.contents[C::damage * n + k];
+  Vec<Dim> momentum;
+  for (int d = 0; d < Dim; ++d) momentum[d] = b.contents[(C::u + static_cast<std::size_t>(d)) * n + k];
+  const double p2 = dot(momentum, momentum);
+  to[A::mass] += mass;
+  if (mass > 0) to[A::kinetic] += 0.5 * p2 / mass;
+  to[A::energy] += b.contents[C::energy * n + k];
+  to[A::volume] += b.volume[k];
+  to[A::speed] += std::sqrt(p2);
+  to[A::cells] += 1;
+  if (damage > 0 && damage >= failed_damage * mass) to[A::failed] += mass;
+  for (int d = 0; d < Dim; ++d) {
+    const auto e = static_cast<std::size_t>(d);
+    to[A::momentum + e] += momentum[d];
+    to[A::place + e] += mass * x[d];
   }
-  Vec<3> sum, lever;  // of momentum, and of momentum times the distance from `start` in cells
-  for (std::size_t d = 0; d < Dim; ++d) {
-    double p = 0, kp = 0;
-#pragma omp simd reduction(+ : p, kp)
-    for (std::size_t k = 0; k < count; ++k) {
-      const double m = q[(C::u + d) * n + k];
-      p += m;
-      kp += m * static_cast<double>(k);
-    }
-    momentum[d] = p;
-    sum[static_cast<int>(d)] = p, lever[static_cast<int>(d)] = kp;
-  }
-  const Vec<3> about_start = cross(Vec<3>{{dx, 0, 0}}, lever);
-  Vec<3> from;
-  for (int d = 0; d < Dim; ++d) from[d] = start[d];
-  const Vec<3> whole = cross(from, sum) + about_start;
-  for (std::size_t d = 0; d < 3; ++d) out[A::angular + d] += whole[static_cast<int>(d)];
-  out[A::mass] += mass, out[A::kinetic] += kinetic, out[A::energy] += energy, out[A::volume] += volume;
-  out[A::speed] += speed, out[A::cells] += cells, out[A::failed] += failed;
-  for (std::size_t d = 0; d < Dim; ++d) {
-    out[A::momentum + d] += momentum[d];
-    out[A::place + d] += mass * start[static_cast<int>(d)];
-  }
-  out[A::place] += moment * dx;
+  const Vec<3> turning = cross(x, momentum);
+  for (int d = 0; d < 3; ++d) to[A::angular + static_cast<std::size_t>(d)] += turning[d];
 }
 
 /// Largest strain, and the extent: a ball of radius |phi| about a place inside lies within the body, and
 /// touches its surface, so the farthest such ball shows how far the body reaches.
 template <int Dim>
 void find_extremes(const Grid<Dim>& grid, double finest, const BodyBlock<Dim>& b, const Box<Dim>& cells,
-                   double* out) {
+                   const SumRow& out) {
   using C = Components<Dim>;
   using A = At<Dim>;
   const Box<Dim> layout = grid.layout();
@@ -92,36 +64,34 @@ void find_extremes(const Grid<Dim>& grid, double finest, const BodyBlock<Dim>& b
   for_each(cells, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     if (b.volume[k] >= judged_fill * grid.full_volume(i) && b.contents[k] > 0)
-      out[A::strain] = std::max(out[A::strain], b.contents[C::ep * n + k] / b.contents[k]);
+      out.raise(A::strain, b.contents[C::ep * n + k] / b.contents[k]);
     if (!(b.phi[k] < 0) || b.phi[k] < -2 * finest) return;  // deeper cells give the surface less accurately
     const Vec<Dim> x = grid.centre(i);
     for (std::size_t d = 0; d < Dim; ++d) {
       const double c = x[static_cast<int>(d)];
-      out[A::highest + d] = std::max(out[A::highest + d], c - b.phi[k]);
-      out[A::minus_lowest + d] = std::max(out[A::minus_lowest + d], -(c + b.phi[k]));
+      out.raise(A::highest + d, c - b.phi[k]);
+      out.raise(A::minus_lowest + d, -(c + b.phi[k]));
     }
   });
 }
 
 template <int Dim>
-void sum_block(const State<Dim>& state, const Body<Dim>& body, int slot, double* out) {
+void sum_block(const State<Dim>& state, const Body<Dim>& body, int slot, const SumRow& out) {
   const Grid<Dim>& grid = state.grid(slot);
   const BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
-  Box<Dim> rows = cells;
-  rows.hi[0] = rows.lo[0] + 1;
-  for_each(rows, [&](const Index<Dim>& i) {
-    sum_row(b, static_cast<std::size_t>(layout.at(i - cells.lo)), static_cast<std::size_t>(cells.extent(0)),
-            grid.centre(i), grid.dx, out);
+  for_each(cells, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+    if (b.volume[k] != 0 || b.contents[k] != 0) add_cell(b, k, grid.centre(i), out.sums);
   });
   find_extremes(grid, state.grid().dx, b, cells, out);
 }
 
 template <int Dim>
-void put(const Account<Dim>& account, std::span<double> row) {
-  row[0] = account.mass;
-  row[1] = account.energy;
-  for (std::size_t d = 0; d < Dim; ++d) row[2 + d] = account.momentum[static_cast<int>(d)];
+void add(const ExactAccount<Dim>& account, std::span<ExactSum> row) {
+  row[0] += account.mass;
+  row[1] += account.energy;
+  for (std::size_t d = 0; d < Dim; ++d) row[2 + d] += account.momentum[d];
 }
 
 template <int Dim>
@@ -129,11 +99,6 @@ Account<Dim> take_account(std::span<const double> row) {
   Account<Dim> account{row[0], row[1], {}};
   for (std::size_t d = 0; d < Dim; ++d) account.momentum[static_cast<int>(d)] = row[2 + d];
   return account;
-}
-
-template <int Dim>
-bool empty(const Account<Dim>& a) {
-  return a.mass == 0 && a.energy == 0 && a.momentum == Vec<Dim>{};
 }
 
 template <int Dim>
@@ -185,27 +150,57 @@ BodyTotals<Dim> rigid_totals(const RigidMotion<Dim>& m) {
   return t;
 }
 
-/// One row of sums for each body in each block of this rank, computed by all threads.
+/// The sums over this rank's blocks of all bodies, found by all threads: each has sums of its own.
 template <int Dim>
-std::vector<double> sum_blocks(const State<Dim>& state, parallel::Team* team) {
+void add_bodies(const State<Dim>& state, parallel::Team* team, ExactSums& sums) {
   using A = At<Dim>;
   const auto bodies = static_cast<std::size_t>(state.count());
-  const int local = state.mesh.local();
-  std::vector<double> rows(static_cast<std::size_t>(local) * bodies * A::all, 0.0);
-  const auto work = [&](int slot, int) {
+  const std::size_t threads = team != nullptr ? static_cast<std::size_t>(team->threads()) : 1;
+  constexpr std::size_t maxima = A::all - A::sums;
+  std::vector<ExactSum> own(threads * bodies * A::sums);
+  std::vector<double> most(threads * bodies * maxima, -std::numeric_limits<double>::infinity());
+  const auto row = [&](std::size_t thread, std::size_t m) {
+    const std::size_t at = thread * bodies + m;
+    return SumRow{{own.data() + at * A::sums, A::sums}, {most.data() + at * maxima, maxima}};
+  };
+  const auto work = [&](int slot, int thread) {
     for (std::size_t m = 0; m < bodies; ++m) {
       const Body<Dim>& body = state.bodies[m];
-      if (body.rigid || !body.present(slot)) continue;
-      double* row = rows.data() + (static_cast<std::size_t>(slot) * bodies + m) * A::all;
-      std::fill(row + A::sums, row + A::all, -std::numeric_limits<double>::infinity());
-      sum_block(state, body, slot, row);
+      if (!body.rigid && body.present(slot))
+        sum_block(state, body, slot, row(static_cast<std::size_t>(thread), m));
     }
   };
-  if (team != nullptr && team->threads() > 1)
-    team->run(local, work);
+  if (threads > 1)
+    team->run(state.mesh.local(), work);
   else
-    for (int slot = 0; slot < local; ++slot) work(slot, 0);
-  return rows;
+    for (int slot = 0; slot < state.mesh.local(); ++slot) work(slot, 0);
+  for (std::size_t m = 0; m < bodies; ++m) {
+    const SumRow to = sums.add(static_cast<int>(m));
+    for (std::size_t thread = 0; thread < threads; ++thread) {
+      const SumRow from = row(thread, m);
+      for (std::size_t k = 0; k < A::sums; ++k) to[k] += from[k];
+      for (std::size_t k = 0; k < maxima; ++k) to.raise(A::sums + k, from.maxima[k]);
+    }
+  }
+}
+
+/// What has left through the edges and been released, and what pairs of bodies have exchanged.
+template <int Dim>
+void add_ledgers(const State<Dim>& state, ExactSums& sums) {
+  const int bodies = state.count();
+  for (const BlockLedger<Dim>& ledger : state.ledger) {
+    for (int m = 0; m < bodies; ++m) {
+      const auto e = static_cast<std::size_t>(m);
+      const SumRow row = sums.add(bodies + m);
+      if (e < ledger.edges.size()) add(ledger.edges[e], row.sums);
+      if (e < ledger.released.size()) row[2 + Dim] += ledger.released[e];
+    }
+    for (std::size_t p = 0; p < ledger.pairs.size(); ++p) {
+      const SumRow row = sums.add(2 * bodies + static_cast<int>(p));
+      add(ledger.pairs[p].exchanged, row.sums);
+      for (std::size_t d = 0; d < 3; ++d) row[2 + Dim + d] += ledger.pairs[p].moment[d];
+    }
+  }
 }
 
 }  // namespace
@@ -214,35 +209,12 @@ template <int Dim>
 Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, parallel::Team* team) {
   using A = At<Dim>;
   const int bodies = state.count(), pairs = bodies * (bodies - 1) / 2;
-  OrderedSums sums;  // items: all bodies, their edges, all pairs
+  ExactSums sums;  // items: all bodies, their edges, all pairs
   for (int m = 0; m < bodies; ++m) sums.item(A::sums, A::all - A::sums);
   for (int m = 0; m < bodies; ++m) sums.item(2 + Dim + 1);
   for (int p = 0; p < pairs; ++p) sums.item(2 + Dim + 3);
-  const std::vector<double> rows = sum_blocks(state, team);
-  for (int slot = 0; slot < state.mesh.local(); ++slot) {
-    const long order = state.mesh.block(slot).order;
-    const auto& ledger = state.ledger[slot];
-    for (int m = 0; m < bodies; ++m) {
-      const auto e = static_cast<std::size_t>(m);
-      const Body<Dim>& body = state.bodies[e];
-      if (!body.rigid && body.present(slot)) {
-        const auto from = (static_cast<std::size_t>(slot) * static_cast<std::size_t>(bodies) + e) * A::all;
-        std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(from), A::all, sums.add(m, order).begin());
-      }
-      const double released = e < ledger.released.size() ? ledger.released[e] : 0;
-      if (e < ledger.edges.size() && (!empty(ledger.edges[e]) || released != 0)) {
-        const std::span<double> row = sums.add(bodies + m, order);
-        put(ledger.edges[e], row);
-        row[2 + Dim] = released;
-      }
-    }
-    for (std::size_t p = 0; p < ledger.pairs.size(); ++p)
-      if (!empty(ledger.pairs[p].exchanged)) {
-        const std::span<double> row = sums.add(2 * bodies + static_cast<int>(p), order);
-        put(ledger.pairs[p].exchanged, row);
-        std::copy_n(ledger.pairs[p].moment.c.begin(), 3, row.begin() + 2 + Dim);
-      }
-  }
+  add_bodies(state, team, sums);
+  add_ledgers(state, sums);
   sums.reduce(world);
   Totals<Dim> t;
   if (world.rank() != 0) return t;

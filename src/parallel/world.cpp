@@ -58,6 +58,12 @@ void World::sum(std::span<std::int64_t> values) const {
                   MPI_COMM_WORLD);
 }
 
+void World::max(std::span<double> values) const {
+  if (size() > 1)
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
+                  MPI_COMM_WORLD);
+}
+
 std::vector<Bytes> World::gather(const Bytes& local) const {
   if (size() == 1) return {local};
   std::vector<Bytes> all;

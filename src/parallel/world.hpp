@@ -33,8 +33,9 @@ class World {
   double min(double local) const;
   double max(double local) const;
   bool any(bool local) const;
-  /// Element-wise sums, in place, over all processes.
+  /// Element-wise sums, largest values, in place, over all processes.
   void sum(std::span<std::int64_t> values) const;
+  void max(std::span<double> values) const;
   /// All processes' bytes in the order of their ranks, on rank 0; empty elsewhere.
   std::vector<Bytes> gather(const Bytes& local) const;
   /// Rank 0's bytes, everywhere.

@@ -136,7 +136,7 @@ struct Recorder<Dim>::Parts {
   RunUnits units;
   std::vector<std::string> names;
   std::vector<bool> rigid;
-  OrderedSums sums;
+  ExactSums sums;
   PairSampler<Dim> sampler;
   Gauges<Dim> gauges;
   EventWatch events;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -9,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/exact_sum.hpp"
 #include "field/window.hpp"
 #include "material/material.hpp"
 #include "state/contact_list.hpp"
@@ -88,23 +91,41 @@ struct Counters {
   std::vector<std::pair<const char*, std::int64_t*>> list();
 };
 
-/// What passed between two bodies, or through the edges of the domain, since the start. Summed block by
-/// block.
+/// What passed between two bodies, or through the edges of the domain, since the start.
 template <int Dim>
 struct Account {
   double mass = 0, energy = 0;
   Vec<Dim> momentum;
 };
 
+/// The same while it is summed up, cell by cell or contact by contact.
+template <int Dim>
+struct ExactAccount {
+  ExactSum mass, energy;
+  std::array<ExactSum, static_cast<std::size_t>(Dim)> momentum;
+
+  bool is_zero() const {
+    return mass.is_zero() && energy.is_zero() &&
+           std::all_of(momentum.begin(), momentum.end(), [](const ExactSum& p) { return p.is_zero(); });
+  }
+  ExactAccount& operator+=(const ExactAccount& b) {
+    mass += b.mass, energy += b.energy;
+    for (std::size_t d = 0; d < momentum.size(); ++d) momentum[d] += b.momentum[d];
+    return *this;
+  }
+};
+
 /// What one block adds to the record of a pair of bodies in one step, and since the start.
 template <int Dim>
 struct PairRecord {
-  Account<Dim> exchanged;                      // received by the lower-numbered body [per time-integrated]
-  double area = 0;                             // in contact, last stage [m^(Dim-1)]
-  Vec<Dim> force;                              // on the lower-numbered body, last stage
-  double traction = 0, velocity = 0, gap = 0;  // area-weighted sums, last stage
-  Vec<Dim> place;                              // area-weighted sum of x_I
-  Vec<3> moment;                               // as exchanged.momentum, about the origin [N m s]
+  using Sums = std::array<ExactSum, static_cast<std::size_t>(Dim)>;
+
+  ExactAccount<Dim> exchanged;                 // received by the lower-numbered body [per time-integrated]
+  ExactSum area;                               // in contact, last stage [m^(Dim-1)]
+  Sums force;                                  // on the lower-numbered body, last stage
+  ExactSum traction, velocity, gap;            // area-weighted sums, last stage
+  Sums place;                                  // area-weighted sum of x_I
+  std::array<ExactSum, 3> moment;              // as exchanged.momentum, about the origin [N m s]
   double widest_gap = 0, deepest_overlap = 0;  // in dx, at touching cells, last stage
 };
 
@@ -127,13 +148,14 @@ struct FailureRecord {
   }
 };
 
-/// What one block has seen; kept per block so that sums over blocks do not depend on ranks or threads.
+/// What one block has seen, so that threads need not share it. Sums over blocks do not depend on how cells
+/// are divided between them.
 template <int Dim>
 struct BlockLedger {
   std::vector<PairRecord<Dim>> pairs;        // by pair_number
-  std::vector<Account<Dim>> edges;           // by body: what left through the edges of the domain
+  std::vector<ExactAccount<Dim>> edges;      // by body: what left through the edges of the domain
   std::vector<FailureRecord<Dim>> failures;  // by body
-  std::vector<double> released;              // by body: energy of detonation [J]
+  std::vector<ExactSum> released;            // by body: energy of detonation [J]
   Counters counters;
 };
 

@@ -1,6 +1,7 @@
 #include "state/contact_sums.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace recoil {
 
@@ -9,8 +10,8 @@ namespace {
 /// Empties what the last stage saw of a pair; what it has exchanged so far stays.
 template <int Dim>
 void start_stage(PairRecord<Dim>& p) {
-  const Account<Dim> exchanged = p.exchanged;
-  const Vec<3> moment = p.moment;
+  const auto exchanged = p.exchanged;
+  const auto moment = p.moment;
   p = {};
   p.exchanged = exchanged;
   p.moment = moment;
@@ -28,15 +29,19 @@ void book_contacts(State<Dim>& state, int slot, double booked) {
     PairRecord<Dim>& r =
         pairs[pair_number(std::min(c.first, c.second), std::max(c.first, c.second), state.count())];
     const Vec<Dim> force = force_on_lower(c);
-    r.exchanged.momentum += booked * force;
-    r.moment += booked * cross(c.point, force);
+    const Vec<3> moment = cross(c.point, force);
+    for (int d = 0; d < 3; ++d) r.moment[static_cast<std::size_t>(d)] += booked * moment[d];
+    for (int d = 0; d < Dim; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      r.exchanged.momentum[k] += booked * force[d];
+      r.force[k] += force[d];
+      r.place[k] += c.point[d] * c.area;
+    }
     r.exchanged.energy += booked * power_to_lower(c);
     r.area += c.area;
-    r.force += force;
     r.traction += c.traction * c.area;
     r.velocity += c.work_velocity * c.area;
     r.gap += c.gap * c.area;
-    r.place += c.point * c.area;
     r.widest_gap = std::max(r.widest_gap, c.gap / dx);
     r.deepest_overlap = std::min(r.deepest_overlap, c.gap / dx);
   }

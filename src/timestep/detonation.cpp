@@ -6,14 +6,14 @@
 namespace recoil {
 
 template <int Dim>
-double detonate(const State<Dim>& state, Body<Dim>& body, int slot, double now) {
+ExactSum detonate(const State<Dim>& state, Body<Dim>& body, int slot, double now) {
   using C = Components<Dim>;
   const DetonationFront<Dim>& front = *body.detonation;
   const Grid<Dim>& grid = state.grid(slot);
   BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
   const std::size_t n = b.volume.size();
-  double released = 0;
+  ExactSum released;
   for_each(b.reach, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     const double mass = b.contents[C::rho * n + k];
@@ -29,8 +29,8 @@ double detonate(const State<Dim>& state, Body<Dim>& body, int slot, double now) 
   return released;
 }
 
-template double detonate<1>(const State<1>&, Body<1>&, int, double);
-template double detonate<2>(const State<2>&, Body<2>&, int, double);
-template double detonate<3>(const State<3>&, Body<3>&, int, double);
+template ExactSum detonate<1>(const State<1>&, Body<1>&, int, double);
+template ExactSum detonate<2>(const State<2>&, Body<2>&, int, double);
+template ExactSum detonate<3>(const State<3>&, Body<3>&, int, double);
 
 }  // namespace recoil

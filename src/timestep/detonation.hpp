@@ -9,6 +9,6 @@ namespace recoil {
 /// of the cell.
 /// @returns the energy [J; per radian where axisymmetric].
 template <int Dim>
-double detonate(const State<Dim>& state, Body<Dim>& body, int slot, double now);
+ExactSum detonate(const State<Dim>& state, Body<Dim>& body, int slot, double now);
 
 }  // namespace recoil

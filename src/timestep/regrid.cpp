@@ -75,17 +75,12 @@ bool same_blocks(const Mesh<Dim>& a, const Mesh<Dim>& b) {
 }
 
 template <int Dim>
-void add_account(Account<Dim>& to, const Account<Dim>& more) {
-  to.mass += more.mass, to.energy += more.energy, to.momentum += more.momentum;
-}
-
-template <int Dim>
 void add_ledger(BlockLedger<Dim>& to, const BlockLedger<Dim>& more) {
   for (std::size_t p = 0; p < to.pairs.size(); ++p) {
-    add_account(to.pairs[p].exchanged, more.pairs[p].exchanged);
-    to.pairs[p].moment += more.pairs[p].moment;
+    to.pairs[p].exchanged += more.pairs[p].exchanged;
+    for (std::size_t d = 0; d < 3; ++d) to.pairs[p].moment[d] += more.pairs[p].moment[d];
   }
-  for (std::size_t m = 0; m < to.edges.size(); ++m) add_account(to.edges[m], more.edges[m]);
+  for (std::size_t m = 0; m < to.edges.size(); ++m) to.edges[m] += more.edges[m];
   for (std::size_t m = 0; m < to.failures.size(); ++m) to.failures[m].merge(more.failures[m]);
   for (std::size_t m = 0; m < to.released.size(); ++m) to.released[m] += more.released[m];
   to.counters += more.counters;

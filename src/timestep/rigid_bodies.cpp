@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "parallel/ordered_sums.hpp"
+#include "parallel/exact_sums.hpp"
 
 namespace recoil {
 
@@ -29,36 +29,36 @@ struct Given {
 
 /// Adds what one block has recorded of the contacts of body m.
 template <int Dim>
-void add_block(const State<Dim>& state, int slot, int m, std::span<double> row) {
+void add_block(const State<Dim>& state, int slot, int m, const SumRow& row) {
   const int n = state.count();
   for (int other = 0; other < n; ++other) {
     if (other == m) continue;
     const PairRecord<Dim>& p =
         state.ledger[slot].pairs[pair_number(std::min(m, other), std::max(m, other), n)];
-    const double sign = m < other ? 1 : -1;
-    for (int d = 0; d < Dim; ++d) row[d] += sign * p.exchanged.momentum[d];
-    for (int d = 0; d < 3; ++d) row[Dim + d] += sign * p.moment[d];
-    row[Given<Dim>::width - 1] += sign * p.exchanged.energy;
+    const auto add = [&](std::size_t k, const ExactSum& given) {
+      if (m < other)
+        row[k] += given;
+      else
+        row[k] -= given;
+    };
+    for (std::size_t d = 0; d < Dim; ++d) add(d, p.exchanged.momentum[d]);
+    for (std::size_t d = 0; d < 3; ++d) add(Dim + d, p.moment[d]);
+    add(Given<Dim>::width - 1, p.exchanged.energy);
   }
 }
 
 template <int Dim>
 std::vector<Given<Dim>> given_to(const State<Dim>& state, const parallel::World& world,
                                  const std::vector<int>& bodies) {
-  OrderedSums sums;
+  ExactSums sums;
   for (std::size_t k = 0; k < bodies.size(); ++k) sums.item(Given<Dim>::width);
   for (int slot = 0; slot < state.mesh.local(); ++slot)
     for (std::size_t k = 0; k < bodies.size(); ++k)
-      add_block(state, slot, bodies[k], sums.add(static_cast<int>(k), state.mesh.block(slot).order));
+      add_block(state, slot, bodies[k], sums.add(static_cast<int>(k)));
   sums.reduce(world);
-  parallel::Bytes bytes;
-  if (world.rank() == 0)
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-      parallel::pack(bytes, sums.total(static_cast<int>(k)).data(), Given<Dim>::width);
-  world.broadcast(bytes);
-  parallel::Unpacker from(bytes);
   std::vector<Given<Dim>> all(bodies.size());
-  for (Given<Dim>& g : all) from.read(g.row.data(), g.row.size());
+  for (std::size_t k = 0; k < all.size(); ++k)
+    std::ranges::copy(sums.total(static_cast<int>(k)), all[k].row.begin());
   return all;
 }
 

@@ -124,8 +124,8 @@ struct Part {
     first = std::min(first, b.first);
     cells += b.cells;
     piece = piece || b.piece;
-    mass.add(b.mass), failed.add(b.failed), volume.add(b.volume), kinetic.add(b.kinetic);
-    for (std::size_t d = 0; d < Dim; ++d) momentum[d].add(b.momentum[d]), place[d].add(b.place[d]);
+    mass += b.mass, failed += b.failed, volume += b.volume, kinetic += b.kinetic;
+    for (std::size_t d = 0; d < Dim; ++d) momentum[d] += b.momentum[d], place[d] += b.place[d];
     for (int d = 0; d < Dim; ++d) {
       lowest[d] = std::min(lowest[d], b.lowest[d]);
       highest[d] = std::max(highest[d], b.highest[d]);
@@ -149,15 +149,15 @@ void add_cell(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const FragmentBloc
   for (std::size_t d = 0; d < Dim; ++d) {
     const double momentum = b.contents[(C::u + d) * n + k];
     square += momentum * momentum;
-    to.momentum[d].add(momentum);
-    to.place[d].add(mass * x[static_cast<int>(d)]);
+    to.momentum[d] += momentum;
+    to.place[d] += mass * x[static_cast<int>(d)];
   }
   ++to.cells;
   to.piece = to.piece || f.hold[k] == Hold::holds;
-  to.mass.add(mass);
-  if (damage > 0 && damage >= failed_damage * mass) to.failed.add(mass);
-  to.volume.add(b.volume[k] * f.solid[k]);
-  if (mass > 0) to.kinetic.add(0.5 * square / mass);
+  to.mass += mass;
+  if (damage > 0 && damage >= failed_damage * mass) to.failed += mass;
+  to.volume += b.volume[k] * f.solid[k];
+  if (mass > 0) to.kinetic += 0.5 * square / mass;
   // A ball of radius |phi| about a place inside lies within the body; outside, the surface is so far inward.
   const double reach = std::clamp(-f.phi[k], -0.5 * grid.dx, 0.5 * grid.dx);
   for (int d = 0; d < Dim; ++d) {

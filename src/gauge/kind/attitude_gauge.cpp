@@ -14,7 +14,7 @@ class AttitudeWatch : public GaugeWatch<Dim> {
       : body_(body_number(setup.state, from.body)), item_(setup.sums.item(attitude_sums)) {}
 
   void collect(const State<Dim>& state, const parallel::World& world, bool /*at_rest*/,
-               OrderedSums& sums) override {
+               ExactSums& sums) override {
     frame_ = find_frame(state, body_, world);
     collect_attitude(state, body_, frame_, item_, sums);
   }

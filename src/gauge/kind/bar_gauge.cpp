@@ -26,7 +26,7 @@ class BarShapeWatch : public GaugeWatch<Dim> {
   }
 
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool /*at_rest*/,
-               OrderedSums& sums) override {
+               ExactSums& sums) override {
     collect_bar(state, bar_, item_, sums);
   }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {

@@ -13,15 +13,14 @@ namespace recoil {
 
 template <int Dim>
 void probe_contact(const State<Dim>& state, int pair, const Vec<Dim>& at, double radius, int item,
-                   OrderedSums& sums) {
+                   ExactSums& sums) {
   using A = ContactSums<Dim>;
+  const SumRow row = sums.add(item);
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
-    std::span<double> row;
     for (const Contact<Dim>& c : state.contacts[slot]) {
       const int lower = std::min(c.first, c.second), higher = std::max(c.first, c.second);
       if (!counts(state, c) || pair_number(lower, higher, state.count()) != pair) continue;
       if (radius > 0 && norm(c.point - at) > radius) continue;
-      if (row.empty()) row = sums.add(item, state.mesh.block(slot).order);
       const double sign = c.first == lower ? 1 : -1, gap = c.gap / state.grid().dx;
       const Vec<Dim> force = force_on_lower(c), shear = (sign * c.area) * c.shear;
       row[A::area] += c.area;
@@ -35,8 +34,8 @@ void probe_contact(const State<Dim>& state, int pair, const Vec<Dim>& at, double
         row[A::force + k] += force[d];
         row[A::shear + k] += shear[d];
       }
-      row[A::widest] = std::max(row[A::widest], gap);
-      row[A::deepest] = std::max(row[A::deepest], -gap);
+      row.raise(A::widest, gap);
+      row.raise(A::deepest, -gap);
     }
   }
 }
@@ -73,10 +72,10 @@ class ContactWatch : public GaugeWatch<Dim> {
     if (direction_ == Vec<Dim>{}) columns.resize(columns.size() - 2);
   }
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool at_rest,
-               OrderedSums& sums) override {
+               ExactSums& sums) override {
     if (!at_rest) probe_contact(state, pair_, at_, radius_, item_, sums);
   }
-  void follow(const OrderedSums& sums, double dt) override;
+  void follow(const ExactSums& sums, double dt) override;
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override;
   void pack(parallel::Bytes& bytes) const override {
     parallel::pack(bytes, part_);
@@ -108,7 +107,7 @@ class ContactWatch : public GaugeWatch<Dim> {
 };
 
 template <int Dim>
-void ContactWatch<Dim>::follow(const OrderedSums& sums, double dt) {
+void ContactWatch<Dim>::follow(const ExactSums& sums, double dt) {
   using A = ContactSums<Dim>;
   const std::span<const double> now = sums.total(item_);
   double shear = 0;
@@ -157,9 +156,9 @@ void ContactWatch<Dim>::read(const GaugeReading<Dim>& reading, std::vector<doubl
 
 }  // namespace
 
-template void probe_contact<1>(const State<1>&, int, const Vec<1>&, double, int, OrderedSums&);
-template void probe_contact<2>(const State<2>&, int, const Vec<2>&, double, int, OrderedSums&);
-template void probe_contact<3>(const State<3>&, int, const Vec<3>&, double, int, OrderedSums&);
+template void probe_contact<1>(const State<1>&, int, const Vec<1>&, double, int, ExactSums&);
+template void probe_contact<2>(const State<2>&, int, const Vec<2>&, double, int, ExactSums&);
+template void probe_contact<3>(const State<3>&, int, const Vec<3>&, double, int, ExactSums&);
 
 RECOIL_WATCH(config::ContactGauge, ContactWatch)
 

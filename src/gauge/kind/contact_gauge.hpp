@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "parallel/ordered_sums.hpp"
+#include "parallel/exact_sums.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
@@ -19,6 +19,6 @@ struct ContactSums {
 /// act on the lower-numbered body. @param radius [m] only what lies so near to `at` counts; 0: all.
 template <int Dim>
 void probe_contact(const State<Dim>& state, int pair, const Vec<Dim>& at, double radius, int item,
-                   OrderedSums& sums);
+                   ExactSums& sums);
 
 }  // namespace recoil

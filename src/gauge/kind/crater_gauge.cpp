@@ -30,7 +30,7 @@ class CraterWatch : public GaugeWatch<Dim> {
         grid_(setup.state.grid()) {}
 
   void collect(const State<Dim>& state, const parallel::World& world, bool /*at_rest*/,
-               OrderedSums& /*sums*/) override {
+               ExactSums& /*sums*/) override {
     const Fragments<Dim> fragments = find_fragments(state, world);
     std::map<Line<Dim>, double> own;
     const int heaviest = fragments.heaviest[static_cast<std::size_t>(body_)];

@@ -17,7 +17,7 @@ class FragmentsWatch : public GaugeWatch<Dim> {
         small_(from.smaller_than > 0 ? from.smaller_than : 2 * setup.state.grid().dx) {}
 
   void collect(const State<Dim>& state, const parallel::World& world, bool /*at_rest*/,
-               OrderedSums& /*sums*/) override {
+               ExactSums& /*sums*/) override {
     found_ = find_fragments(state, world).list;
   }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {

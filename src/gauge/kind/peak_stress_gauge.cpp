@@ -25,7 +25,7 @@ class PeakStressWatch : public GaugeWatch<Dim> {
     return all;
   }
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool /*at_rest*/,
-               OrderedSums& sums) override {
+               ExactSums& sums) override {
     collect_line(state, line_, first_item_, sums);
   }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& /*row*/) override {

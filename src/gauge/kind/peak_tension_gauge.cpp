@@ -36,7 +36,7 @@ class PeakTensionWatch : public GaugeWatch<Dim> {
 
   bool reads_every_step() const override { return true; }
   void collect(const State<Dim>& state, const parallel::World& world, bool /*at_rest*/,
-               OrderedSums& /*sums*/) override {
+               ExactSums& /*sums*/) override {
     Both now;
     const Body<Dim>& body = state.bodies[body_];
     for (int slot = 0; slot < state.mesh.local() && !body.rigid; ++slot)

@@ -23,10 +23,10 @@ class PointWatch : public GaugeWatch<Dim> {
     if (!point_.follows) columns.resize(columns.size() - Dim);
   }
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool /*at_rest*/,
-               OrderedSums& sums) override {
+               ExactSums& sums) override {
     probe_point(state, point_, item_, sums);
   }
-  void follow(const OrderedSums& sums, double dt) override {
+  void follow(const ExactSums& sums, double dt) override {
     follow_point(point_, point_.time + dt, sums.any(item_), sums.total(item_));
   }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {

@@ -29,7 +29,7 @@ class PullbackWatch : public GaugeWatch<Dim> {
 
   bool reads_every_step() const override { return true; }
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool at_rest,
-               OrderedSums& sums) override {
+               ExactSums& sums) override {
     if (at_rest)
       probe_surface_at_rest(state, point_, item_, sums);
     else
@@ -58,7 +58,7 @@ class PullbackWatch : public GaugeWatch<Dim> {
 
  private:
   /// The smallest distance from the surface, against its normal, to the near side of a failed cell.
-  void look_for_failed(const State<Dim>& state, OrderedSums& sums) const {
+  void look_for_failed(const State<Dim>& state, ExactSums& sums) const {
     if (point_.normal == Vec<Dim>{}) return;
     const Grid<Dim>& grid = state.grid();
     const Body<Dim>& body = state.bodies[point_.body];
@@ -75,8 +75,7 @@ class PullbackWatch : public GaugeWatch<Dim> {
       const double failed = b.contents[Components<Dim>::damage * b.volume.size() + k];
       if (!(failed > 0 && failed >= failed_damage * b.contents[k])) continue;
       const double near = std::max(0.0, dot(point_.at - own.centre(i), point_.normal) - 0.5 * own.dx);
-      double& least = sums.add(scab_item_, state.mesh.block(slot).order)[0];
-      least = std::max(least, -near);
+      sums.add(scab_item_).raise(0, -near);
     }
   }
 

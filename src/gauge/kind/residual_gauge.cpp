@@ -22,14 +22,14 @@ class ResidualWatch : public GaugeWatch<Dim> {
         item_(setup.sums.item(2 + Dim)) {}
 
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool /*at_rest*/,
-               OrderedSums& sums) override {
+               ExactSums& sums) override {
     const Body<Dim>& body = state.bodies[body_];
     for (int slot = 0; slot < state.mesh.local() && !body.rigid; ++slot)
       if (body.present(slot)) add_block(state, body.at(slot), slot, sums);
   }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
     const auto total = reading.sums.total(item_);
-    const bool some = reading.sums.any(item_) && total[0] > 0;
+    const bool some = total[0] > 0;
     Vec<Dim> u;
     for (int d = 0; d < Dim; ++d) u[d] = some ? total[2 + static_cast<std::size_t>(d)] / total[0] : nothing;
     append(row, u);
@@ -41,17 +41,16 @@ class ResidualWatch : public GaugeWatch<Dim> {
   }
 
  private:
-  void add_block(const State<Dim>& state, const BodyBlock<Dim>& b, int slot, OrderedSums& sums) const {
+  void add_block(const State<Dim>& state, const BodyBlock<Dim>& b, int slot, ExactSums& sums) const {
     const Grid<Dim>& grid = state.grid(slot);
     const Block<Dim>& block = state.mesh.block(slot);
     const Box<Dim> layout = grid.layout();
     const std::size_t n = b.volume.size();
-    std::span<double> row;
+    const SumRow row = sums.add(item_);
     for_each(block.cells, [&](const Index<Dim>& i) {
       const auto k = static_cast<std::size_t>(layout.at(i - block.cells.lo));
       const double mass = b.contents[k];
       if (!(mass > 0) || !(dot(grid.centre(i) - at_, direction_) > 0)) return;
-      if (row.empty()) row = sums.add(item_, block.order);
       double square = 0;
       for (std::size_t d = 0; d < Dim; ++d) {
         const double momentum = b.contents[(Components<Dim>::u + d) * n + k];

@@ -16,7 +16,7 @@ class SurfaceWatch : public GaugeWatch<Dim> {
 
   bool reads_every_step() const override { return true; }
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool at_rest,
-               OrderedSums& sums) override {
+               ExactSums& sums) override {
     if (at_rest)
       probe_surface_at_rest(state, point_, item_, sums);
     else

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "random.hpp"
@@ -14,14 +17,14 @@ namespace {
 
 double sum_of(const std::vector<double>& terms) {
   ExactSum sum;
-  for (const double x : terms) sum.add(x);
+  for (const double x : terms) sum += x;
   return sum.value();
 }
 
 TEST(ExactSum, RoundsOnce) {
   const double tiny = std::ldexp(1, -60), half = std::ldexp(1, -53);
   EXPECT_EQ(sum_of({}), 0);
-  EXPECT_EQ(sum_of({1e100, 1, -1e100}), 1);
+  EXPECT_EQ(sum_of({1e28, 1, -1e28}), 1);
   EXPECT_EQ(sum_of({1, half}), 1) << "a tie goes to the even one";
   EXPECT_EQ(sum_of({1, half, tiny}), 1 + 2 * half) << "and what is left over breaks it";
   EXPECT_EQ(sum_of({1, half, -tiny}), 1);
@@ -40,10 +43,46 @@ TEST(ExactSum, DoesNotDependOnTheOrder) {
     EXPECT_EQ(sum_of(terms), wanted);
     const auto cut = terms.begin() + 100;
     ExactSum first, second;
-    std::for_each(terms.begin(), cut, [&](double x) { first.add(x); });
-    std::for_each(cut, terms.end(), [&](double x) { second.add(x); });
-    second.add(first);
+    std::for_each(terms.begin(), cut, [&](double x) { first += x; });
+    std::for_each(cut, terms.end(), [&](double x) { second += x; });
+    second += first;
     EXPECT_EQ(second.value(), wanted) << "nor on how it is split";
+  }
+}
+
+TEST(ExactSum, TakesAway) {
+  ExactSum sum, other;
+  sum += 3.25, other += 1e20, other += -7;
+  sum -= other;
+  EXPECT_EQ(sum.value(), 10.25 - 1e20);
+  sum += other, sum -= 3.25;
+  EXPECT_TRUE(sum.is_zero());
+}
+
+TEST(ExactSum, SaysWhatItCannotHold) {
+  const double least = std::ldexp(1, -160), most = std::ldexp(1, 94);
+  EXPECT_EQ(sum_of({least, -1, 1}), least);
+  EXPECT_EQ(sum_of({0.75 * least, least}), least) << "what is below the last digit is cut off";
+  EXPECT_EQ(sum_of({1.5 * most, -most}), 0.5 * most);
+  for (const double x : {2 * most, -2 * most, std::numeric_limits<double>::infinity(),
+                         std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_TRUE(std::isnan(sum_of({1, x, -x, 2}))) << x;
+  EXPECT_TRUE(std::isnan(sum_of({1.5 * most, 1.5 * most, -1.5 * most}))) << "nor a sum beyond its range";
+  EXPECT_TRUE(std::isnan(sum_of({-1.5 * most, -1.5 * most, 1.5 * most})));
+}
+
+TEST(ExactSum, AddsUpByDigits) {
+  Random random(11);
+  for (int round = 0; round < 200; ++round) {
+    std::array<std::int64_t, ExactSum::digits> digits{};
+    ExactSum all;
+    for (int rank = 0; rank < 9; ++rank) {
+      ExactSum own;
+      for (int k = 0; k < 4; ++k) own += random(-1, 1) * std::pow(10, random(-30, 25));
+      own.add_to(digits);
+      all += own;
+    }
+    EXPECT_EQ(ExactSum::from(digits).value(), all.value());
   }
 }
 

@@ -34,7 +34,7 @@ material = "none"
 }
 
 Attitude reading(const State<2>& state) {
-  OrderedSums sums;
+  ExactSums sums;
   const int item = sums.item(attitude_sums);
   const parallel::World world;
   const AttitudeFrame frame = find_frame(state, 0, world);

@@ -35,7 +35,7 @@ shape = {}
 }
 
 BarReading reading(const State<2>& state, BarWatch bar = {1, 0, true, 0}) {
-  OrderedSums sums;
+  ExactSums sums;
   const int item = bar_item(state.grid(), sums);
   collect_bar(state, bar, item, sums);
   sums.reduce(parallel::World{});

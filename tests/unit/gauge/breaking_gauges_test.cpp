@@ -20,7 +20,7 @@ std::vector<double> first_row(const std::string& text) {
   const config::Case c = case_from(text);
   const State<Dim> state = state_of<Dim>(c);
   const parallel::World world;
-  OrderedSums sums;
+  ExactSums sums;
   const RunUnits units = run_units(c.domain.geometry);
   std::vector<double> row;
   std::visit(

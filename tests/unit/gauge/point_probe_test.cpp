@@ -62,7 +62,7 @@ struct Found {
 };
 
 Found find(const State<2>& state, const BodyPoint<2>& point) {
-  OrderedSums sums;
+  ExactSums sums;
   const int item = sums.item(point_sums<2>);
   probe_point(state, point, item, sums);
   sums.reduce(parallel::World{});

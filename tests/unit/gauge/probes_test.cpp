@@ -27,7 +27,7 @@ velocity = { x = "7 m/s", y = "30 m/s" }
 
 template <class Probe>
 SurfaceReading<2> reading(Probe&& probe) {
-  OrderedSums sums;
+  ExactSums sums;
   const int item = sums.item(surface_sums<2>);
   probe(item, sums);
   sums.reduce(parallel::World{});
@@ -36,18 +36,18 @@ SurfaceReading<2> reading(Probe&& probe) {
 
 TEST(Probes, SurfaceAtRestKnowsItsNormal) {
   const State<2> state = state_of<2>(case_from(slab));
-  const auto up = reading([&](int item, OrderedSums& sums) {
+  const auto up = reading([&](int item, ExactSums& sums) {
     probe_surface_at_rest(state, SurfacePoint<2>{0, {{0, 0.1e-3}}, {}}, item, sums);
   });
   ASSERT_TRUE(up.found);
   EXPECT_NEAR(up.velocity[1], 30, 1e-9);
   EXPECT_NEAR(up.normal[0], 0, 1e-9);
   EXPECT_NEAR(up.normal[1], 1, 1e-9);
-  const auto down = reading([&](int item, OrderedSums& sums) {
+  const auto down = reading([&](int item, ExactSums& sums) {
     probe_surface_at_rest(state, SurfacePoint<2>{0, {{0, -1e-3}}, {}}, item, sums);
   });
   EXPECT_NEAR(down.normal[1], -1, 1e-9);
-  const auto nowhere = reading([&](int item, OrderedSums& sums) {
+  const auto nowhere = reading([&](int item, ExactSums& sums) {
     probe_surface_at_rest(state, SurfacePoint<2>{0, {{0, 3e-3}}, {}}, item, sums);
   });
   EXPECT_FALSE(nowhere.found);
@@ -76,7 +76,7 @@ State<2> with_walls() {
 TEST(Probes, TheFarSideOfAThinBodyDoesNotCount) {
   const State<2> state = with_walls();
   SurfacePoint<2> point{0, {{0, 0.1e-3}}, {{0, 1}}};
-  const auto r = reading([&](int item, OrderedSums& sums) { probe_surface(state, point, item, sums); });
+  const auto r = reading([&](int item, ExactSums& sums) { probe_surface(state, point, item, sums); });
   ASSERT_TRUE(r.found);
   EXPECT_DOUBLE_EQ(r.velocity[1], 10);
   EXPECT_DOUBLE_EQ(r.velocity[0], 1);
@@ -85,16 +85,16 @@ TEST(Probes, TheFarSideOfAThinBodyDoesNotCount) {
   EXPECT_EQ(point.at[0], 0) << "along the normal only";
 
   const SurfacePoint<2> unaware{0, {{0, 0}}, {}};
-  const auto both = reading([&](int item, OrderedSums& sums) { probe_surface(state, unaware, item, sums); });
+  const auto both = reading([&](int item, ExactSums& sums) { probe_surface(state, unaware, item, sums); });
   EXPECT_NEAR(both.velocity[1], 0, 1e-12) << "the middle, both sides alike";
 }
 
 TEST(Probes, WallsThreeCellsAwayCountWhereNoneIsNearer) {
   const State<2> state = with_walls();
   const SurfacePoint<2> point{0, {{0, 0.85e-3}}, {{0, 1}}};
-  EXPECT_TRUE(reading([&](int item, OrderedSums& sums) { probe_surface(state, point, item, sums); }).found);
+  EXPECT_TRUE(reading([&](int item, ExactSums& sums) { probe_surface(state, point, item, sums); }).found);
   const SurfacePoint<2> lost{0, {{0, 1.2e-3}}, {{0, 1}}};
-  EXPECT_FALSE(reading([&](int item, OrderedSums& sums) { probe_surface(state, lost, item, sums); }).found);
+  EXPECT_FALSE(reading([&](int item, ExactSums& sums) { probe_surface(state, lost, item, sums); }).found);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(StressLine, RidesAndKeepsThePeak) {
   StressLine<1> line = stress_line<1>(0, {{0}}, {{8e-3}}, 4);
   ASSERT_EQ(line.stations.size(), 4U);
   EXPECT_NEAR(line.stations[0].at[0], 2e-3, 1e-12);
-  OrderedSums sums;
+  ExactSums sums;
   const int first = line_items(line, sums);
   const auto look = [&](double time, double dt) {
     sums.clear();

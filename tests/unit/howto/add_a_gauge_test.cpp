@@ -82,7 +82,7 @@ TEST(HowToAddAGauge, TheGaugeIsReadAndRecords) {
   const config::Case c = case_from(flying);
   const State<1> state = state_of<1>(c);
   const parallel::World world;
-  OrderedSums sums;
+  ExactSums sums;
   const RunUnits units = run_units(c.domain.geometry);
   const auto& gauge = std::get<config::EnergyGauge>(kind);
   const auto watch = make_watch<1>(gauge, WatchSetup<1>{c, state, sums});

@@ -1,4 +1,4 @@
-#include "parallel/ordered_sums.hpp"
+#include "parallel/exact_sums.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace recoil {
 namespace {
 
-TEST(OrderedSums, DoNotDependOnTheOrderOfAdding) {
+TEST(ExactSums, DoNotDependOnTheOrderOfAdding) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> wide(-1, 1);
   std::vector<double> values(200);
@@ -22,13 +22,13 @@ TEST(OrderedSums, DoNotDependOnTheOrderOfAdding) {
   std::iota(order.begin(), order.end(), 0U);
   double first = 0;
   for (int round = 0; round < 5; ++round) {
-    OrderedSums sums;
+    ExactSums sums;
     const int a = sums.item(1), b = sums.item(2, 1);
     for (const std::size_t n : order) {
-      sums.add(a, static_cast<long>(n))[0] = values[n];
-      const auto row = sums.add(b, static_cast<long>(n));
-      row[1] = values[n];
-      row[2] = values[n];
+      sums.add(a)[0] += values[n];
+      const SumRow row = sums.add(b);
+      row[1] += values[n];
+      row.raise(2, values[n]);
     }
     sums.reduce(parallel::World{});
     if (round == 0) first = sums.total(a)[0];
@@ -40,19 +40,19 @@ TEST(OrderedSums, DoNotDependOnTheOrderOfAdding) {
   }
 }
 
-TEST(OrderedSums, KeepWhatPlainSummationLoses) {
-  OrderedSums sums;
+TEST(ExactSums, KeepWhatPlainSummationLoses) {
+  ExactSums sums;
   const int a = sums.item(1);
   const double terms[] = {1, 1e17, 1, -1e17};
-  for (int n = 0; n < 4; ++n) sums.add(a, n)[0] = terms[n];
+  for (const double x : terms) sums.add(a)[0] += x;
   sums.reduce(parallel::World{});
   EXPECT_EQ(sums.total(a)[0], 2);
 }
 
-TEST(OrderedSums, ForgetWhenCleared) {
-  OrderedSums sums;
+TEST(ExactSums, ForgetWhenCleared) {
+  ExactSums sums;
   const int a = sums.item(1, 1), b = sums.item(1);
-  sums.add(a, 0)[0] = 3;
+  sums.add(a)[0] += 3;
   sums.reduce(parallel::World{});
   EXPECT_TRUE(sums.any(a));
   EXPECT_FALSE(sums.any(b));
