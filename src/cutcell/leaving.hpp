@@ -63,7 +63,7 @@ void book(const Contents<Dim>& contents, ExactAccount<Dim>& edges) {
   using C = Components<Dim>;
   edges.mass += contents[C::rho];
   edges.energy += contents[C::energy];
-  for (std::size_t d = 0; d < Dim; ++d) edges.momentum[d] += contents[C::u + d];
+  for (std::size_t d = 0; d < Dim; ++d) edges.momentum.c[d] += contents[C::u + d];
 }
 
 }  // namespace recoil

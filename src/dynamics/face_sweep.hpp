@@ -180,7 +180,7 @@ void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booke
       const int k = in.box.at(i);
       edges.mass += sign * area[k] * flux[C::rho * nf + k];
       edges.energy += sign * area[k] * flux[C::energy * nf + k];
-      for (std::size_t d = 0; d < Dim; ++d) edges.momentum[d] += sign * area[k] * flux[(C::u + d) * nf + k];
+      for (std::size_t d = 0; d < Dim; ++d) edges.momentum.c[d] += sign * area[k] * flux[(C::u + d) * nf + k];
     });
   }
 }

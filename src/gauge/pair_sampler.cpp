@@ -35,8 +35,9 @@ double smallest_gap(const FieldArray<double>& first, const FieldArray<double>& s
   return least;
 }
 
-void add(std::span<const ExactSum> from, std::span<ExactSum> to) {
-  for (std::size_t d = 0; d < from.size(); ++d) to[d] += from[d];
+template <int Dim>
+void add(const ExactVec<Dim>& from, std::span<ExactSum> to) {
+  for (std::size_t d = 0; d < Dim; ++d) to[d] += from.c[d];
 }
 
 template <int Dim>

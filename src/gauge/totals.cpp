@@ -91,7 +91,7 @@ template <int Dim>
 void add(const ExactAccount<Dim>& account, std::span<ExactSum> row) {
   row[0] += account.mass;
   row[1] += account.energy;
-  for (std::size_t d = 0; d < Dim; ++d) row[2 + d] += account.momentum[d];
+  for (std::size_t d = 0; d < Dim; ++d) row[2 + d] += account.momentum.c[d];
 }
 
 template <int Dim>
@@ -198,7 +198,7 @@ void add_ledgers(const State<Dim>& state, ExactSums& sums) {
     for (std::size_t p = 0; p < ledger.pairs.size(); ++p) {
       const SumRow row = sums.add(2 * bodies + static_cast<int>(p));
       add(ledger.pairs[p].exchanged, row.sums);
-      for (std::size_t d = 0; d < 3; ++d) row[2 + Dim + d] += ledger.pairs[p].moment[d];
+      for (std::size_t d = 0; d < 3; ++d) row[2 + Dim + d] += ledger.pairs[p].moment.c[d];
     }
   }
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/exact_sum.hpp"
+#include "core/exact_vec.hpp"
 #include "field/window.hpp"
 #include "material/material.hpp"
 #include "state/contact_list.hpp"
@@ -102,15 +103,12 @@ struct Account {
 template <int Dim>
 struct ExactAccount {
   ExactSum mass, energy;
-  std::array<ExactSum, static_cast<std::size_t>(Dim)> momentum;
+  ExactVec<Dim> momentum;
 
-  bool is_zero() const {
-    return mass.is_zero() && energy.is_zero() &&
-           std::all_of(momentum.begin(), momentum.end(), [](const ExactSum& p) { return p.is_zero(); });
-  }
+  bool is_zero() const { return mass.is_zero() && energy.is_zero() && momentum.is_zero(); }
+  Account<Dim> value() const { return {mass.value(), energy.value(), momentum.value()}; }
   ExactAccount& operator+=(const ExactAccount& b) {
-    mass += b.mass, energy += b.energy;
-    for (std::size_t d = 0; d < momentum.size(); ++d) momentum[d] += b.momentum[d];
+    mass += b.mass, energy += b.energy, momentum += b.momentum;
     return *this;
   }
 };
@@ -118,14 +116,12 @@ struct ExactAccount {
 /// What one block adds to the record of a pair of bodies in one step, and since the start.
 template <int Dim>
 struct PairRecord {
-  using Sums = std::array<ExactSum, static_cast<std::size_t>(Dim)>;
-
   ExactAccount<Dim> exchanged;                 // received by the lower-numbered body [per time-integrated]
   ExactSum area;                               // in contact, last stage [m^(Dim-1)]
-  Sums force;                                  // on the lower-numbered body, last stage
+  ExactVec<Dim> force;                         // on the lower-numbered body, last stage
   ExactSum traction, velocity, gap;            // area-weighted sums, last stage
-  Sums place;                                  // area-weighted sum of x_I
-  std::array<ExactSum, 3> moment;              // as exchanged.momentum, about the origin [N m s]
+  ExactVec<Dim> place;                         // area-weighted sum of x_I
+  ExactVec<3> moment;                          // as exchanged.momentum, about the origin [N m s]
   double widest_gap = 0, deepest_overlap = 0;  // in dx, at touching cells, last stage
 };
 

@@ -30,13 +30,10 @@ void book_contacts(State<Dim>& state, int slot, double booked) {
         pairs[pair_number(std::min(c.first, c.second), std::max(c.first, c.second), state.count())];
     const Vec<Dim> force = force_on_lower(c);
     const Vec<3> moment = cross(c.point, force);
-    for (int d = 0; d < 3; ++d) r.moment[static_cast<std::size_t>(d)] += booked * moment[d];
-    for (int d = 0; d < Dim; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      r.exchanged.momentum[k] += booked * force[d];
-      r.force[k] += force[d];
-      r.place[k] += c.point[d] * c.area;
-    }
+    r.moment += booked * moment;
+    r.exchanged.momentum += booked * force;
+    r.force += force;
+    r.place += c.area * c.point;
     r.exchanged.energy += booked * power_to_lower(c);
     r.area += c.area;
     r.traction += c.traction * c.area;

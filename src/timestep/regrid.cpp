@@ -78,7 +78,7 @@ template <int Dim>
 void add_ledger(BlockLedger<Dim>& to, const BlockLedger<Dim>& more) {
   for (std::size_t p = 0; p < to.pairs.size(); ++p) {
     to.pairs[p].exchanged += more.pairs[p].exchanged;
-    for (std::size_t d = 0; d < 3; ++d) to.pairs[p].moment[d] += more.pairs[p].moment[d];
+    to.pairs[p].moment += more.pairs[p].moment;
   }
   for (std::size_t m = 0; m < to.edges.size(); ++m) to.edges[m] += more.edges[m];
   for (std::size_t m = 0; m < to.failures.size(); ++m) to.failures[m].merge(more.failures[m]);

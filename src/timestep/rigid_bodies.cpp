@@ -41,8 +41,8 @@ void add_block(const State<Dim>& state, int slot, int m, const SumRow& row) {
       else
         row[k] -= given;
     };
-    for (std::size_t d = 0; d < Dim; ++d) add(d, p.exchanged.momentum[d]);
-    for (std::size_t d = 0; d < 3; ++d) add(Dim + d, p.moment[d]);
+    for (std::size_t d = 0; d < Dim; ++d) add(d, p.exchanged.momentum.c[d]);
+    for (std::size_t d = 0; d < 3; ++d) add(Dim + d, p.moment.c[d]);
     add(Given<Dim>::width - 1, p.exchanged.energy);
   }
 }

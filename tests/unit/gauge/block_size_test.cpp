@@ -112,6 +112,89 @@ body = "high"
 wall = "low"
 )";
 
+/// A disc on a disc, of what breaks: the lower one spalls.
+const char* breaking = R"(
+format = 1
+[domain]
+geometry = "axisymmetric"
+r = ["0 mm", "2.4 mm"]
+z = ["-1.6 mm", "2.4 mm"]
+[mesh]
+finest = "0.1 mm"
+[time]
+end = "1.2 us"
+[body.target]
+material = "none"
+shape = { kind = "box", r = ["0 mm", "1.85 mm"], z = ["-1.03 mm", "0.52 mm"] }
+[body.flyer]
+material = "none"
+shape = { kind = "box", r = ["0 mm", "1.35 mm"], z = ["0.52 mm", "1.27 mm"] }
+velocity = { z = "-500 m/s" }
+[gauge.part]
+kind = "contact"
+pair = "flyer-target"
+at = { z = "0.52 mm" }
+radius = "0.7 mm"
+[gauge.pullback]
+kind = "pullback"
+body = "target"
+at = { z = "-1.03 mm" }
+[gauge.fragments]
+kind = "fragments"
+body = "target"
+[gauge.tension]
+kind = "peak-tension"
+body = "target"
+[gauge.residual]
+kind = "residual"
+body = "target"
+at = { z = "-1.1 mm" }
+direction = { z = -1 }
+[gauge.crater]
+kind = "crater"
+body = "target"
+at = { z = "0.52 mm" }
+direction = { z = 1 }
+radius = "1.5 mm"
+)";
+
+/// A plate that hits a free rigid beam off its middle, so that it is pushed and turned.
+const char* pushed = R"(
+format = 1
+[domain]
+geometry = "planar"
+x = ["-2 mm", "1.2 mm"]
+y = ["-1.6 mm", "2.4 mm"]
+[mesh]
+finest = "0.1 mm"
+[time]
+end = "0.3 us"
+[body.plate]
+material = "none"
+shape = { kind = "box", x = ["-1.53 mm", "0 mm"], y = ["0.22 mm", "1.61 mm"] }
+velocity = { x = "200 m/s", y = "-30 m/s" }
+[body.beam]
+rigid = true
+shape = { kind = "box", x = ["0 mm", "0.7 mm"], y = ["-1.2 mm", "2.0 mm"] }
+mass = "2 g/m"
+inertia = "2e-9 kg m"
+centre-of-mass = { x = "0.35 mm", y = "0.4 mm" }
+[contact]
+default = "friction"
+friction = 0.2
+[gauge.part]
+kind = "contact"
+pair = "plate-beam"
+at = { x = "0.0 mm", y = "1 mm" }
+radius = "1 mm"
+[gauge.beam]
+kind = "body"
+body = "beam"
+[gauge.attitude]
+kind = "attitude"
+body = "plate"
+)";
+
 struct Shown {
   std::map<std::string, CsvTable> gauges;
   std::map<std::string, std::vector<double>> fields;  // by array, in the order of the cells' middles
@@ -141,11 +224,13 @@ std::map<std::string, std::vector<double>> sorted_fields(const UnstructuredGrid&
 }
 
 template <int Dim>
-Shown run(const char* text, int block) {
+Shown run(const char* text, const Material& material, int block) {
   ScratchFolder folder;
   config::Case c = case_from(text);
   c.mesh.block = block;
-  State<Dim> state = state_of<Dim>(c);
+  start_parallel();
+  State<Dim> state =
+      make_state<Dim>(c, std::vector<Material>(c.bodies.size(), material), parallel::World{});
   EXPECT_EQ(state.grid().block[0], block);
   parallel::World world;
   parallel::Team team{1};
@@ -191,18 +276,43 @@ void expect_same(const Shown& a, const Shown& b, int block) {
 }
 
 template <int Dim>
-void expect_no_trace_of_blocks(const char* text, std::initializer_list<int> blocks) {
-  const Shown first = run<Dim>(text, *blocks.begin());
-  EXPECT_GT(first.gauges.at("part").numbers("area").back(), 0);
-  const auto& state = first.fields.at("contact_state");
-  for (const double kind : {0.0, 2.0}) EXPECT_GT(std::count(state.begin(), state.end(), kind), 10);
+Shown expect_no_trace_of_blocks(const char* text, const Material& material,
+                                std::initializer_list<int> blocks) {
+  Shown first = run<Dim>(text, material, *blocks.begin());
+  const auto areas = first.gauges.at("part").numbers("area");
+  EXPECT_GT(*std::max_element(areas.begin(), areas.end()), 0);
   for (const int block : blocks)
-    if (block != *blocks.begin()) expect_same(first, run<Dim>(text, block), block);
+    if (block != *blocks.begin()) expect_same(first, run<Dim>(text, material, block), block);
+  return first;
 }
 
-TEST(BlockSize, DoesNotShowInThePlane) { expect_no_trace_of_blocks<2>(planar, {8, 16, 32}); }
+void expect_contact_in_fields(const Shown& shown) {
+  const auto& state = shown.fields.at("contact_state");
+  for (const double kind : {0.0, 2.0}) EXPECT_GT(std::count(state.begin(), state.end(), kind), 10);
+}
 
-TEST(BlockSize, DoesNotShowInSpace) { expect_no_trace_of_blocks<3>(space, {8, 10, 20}); }
+TEST(BlockSize, DoesNotShowInThePlane) {
+  expect_contact_in_fields(expect_no_trace_of_blocks<2>(planar, hard_matter(), {8, 16, 32}));
+}
+
+TEST(BlockSize, DoesNotShowInSpace) {
+  expect_contact_in_fields(expect_no_trace_of_blocks<3>(space, hard_matter(), {8, 10, 20}));
+}
+
+TEST(BlockSize, DoesNotShowInFragments) {
+  Material material = hard_matter();
+  material.damage = TensileDamage{0.4e9, 1, 20e-9};
+  const Shown shown = expect_no_trace_of_blocks<2>(breaking, material, {8, 16, 40});
+  EXPECT_GT(shown.gauges.at("fragments").numbers("count").back(), 1);
+  EXPECT_GT(shown.gauges.at("residual").numbers("mass").back(), 0);
+  EXPECT_GT(shown.gauges.at("crater").numbers("depth").back(), 0);
+}
+
+TEST(BlockSize, DoesNotShowInTheMotionOfARigidBody) {
+  const Shown shown = expect_no_trace_of_blocks<2>(pushed, hard_matter(), {8, 16, 32});
+  EXPECT_GT(shown.gauges.at("beam").numbers("velocity.x").back(), 1);
+  EXPECT_NE(shown.gauges.at("attitude").numbers("spin").back(), 0);
+}
 
 }  // namespace
 }  // namespace recoil

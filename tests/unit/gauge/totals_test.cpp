@@ -141,9 +141,10 @@ TEST(Totals, LedgersOfAllBlocksCount) {
     auto& ledger = state.ledger[slot];
     ledger.pairs.resize(1);
     ledger.edges.resize(2);
-    ledger.pairs[0].exchanged = {0, 2, {{1, -3}}};
-    ledger.pairs[0].moment = {{0, 0, 7}};
-    ledger.edges[1].mass = 5;
+    ledger.pairs[0].exchanged.energy += 2;
+    ledger.pairs[0].exchanged.momentum += Vec<2>{{1, -3}};
+    ledger.pairs[0].moment += Vec<3>{{0, 0, 7}};
+    ledger.edges[1].mass += 5;
   }
   const double blocks = static_cast<double>(state.ledger.size());
   ASSERT_GT(blocks, 3);

@@ -116,8 +116,8 @@ TYPED_TEST(GhostWalls, TheMomentIsThatOfTheForces) {
       Vec<dim> impulse;
       Vec<3> booked;
       for (const auto& l : p.state.ledger) {
-        impulse += l.pairs[0].exchanged.momentum;
-        booked += l.pairs[0].moment;
+        impulse += l.pairs[0].exchanged.momentum.value();
+        booked += l.pairs[0].moment.value();
       }
       EXPECT_GT(scale, 0);
       EXPECT_LT(norm(impulse - 2 * weight * this->dt * force), 1e-9 * weight * this->dt * scale);
@@ -148,7 +148,7 @@ TYPED_TEST(GhostWalls, TheListHoldsEveryWallInContact) {
         EXPECT_EQ(counts(p.state, c), c.first == 0 && c.area > 0);
         if (counts(p.state, c)) area += c.area;
       }
-      booked += p.state.ledger[s].pairs[0].area;
+      booked += p.state.ledger[s].pairs[0].area.value();
     }
     EXPECT_GT(walls[0], 0);
     EXPECT_EQ(listed, walls);

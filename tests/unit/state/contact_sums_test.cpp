@@ -40,18 +40,18 @@ TEST(ContactSums, AreThoseOfTheList) {
   book_contacts(state, 0, 0.1);
   const PairRecord<2>& r = state.ledger[0].pairs[pair_number(0, 1, 3)];
   // Twice 0.5 (-8, 2) N at (2, 3) m, and 0.5 (-80 - 8) W.
-  EXPECT_EQ(r.force, (Vec<2>{{-8, 2}}));
-  EXPECT_NEAR(r.exchanged.momentum[0], -0.8, 1e-15);
-  EXPECT_NEAR(r.exchanged.momentum[1], 0.2, 1e-15);
-  EXPECT_NEAR(r.exchanged.energy, -8.8, 1e-14);
-  EXPECT_NEAR(r.moment[2], 0.1 * (2 * 2 + 3 * 8), 1e-15);
-  EXPECT_EQ(r.area, 1);
-  EXPECT_EQ(r.traction, -8);
-  EXPECT_EQ(r.velocity, 10);
-  EXPECT_EQ(r.gap, 0.025);
+  EXPECT_EQ(r.force.value(), (Vec<2>{{-8, 2}}));
+  EXPECT_NEAR(r.exchanged.momentum[0].value(), -0.8, 1e-15);
+  EXPECT_NEAR(r.exchanged.momentum[1].value(), 0.2, 1e-15);
+  EXPECT_NEAR(r.exchanged.energy.value(), -8.8, 1e-14);
+  EXPECT_NEAR(r.moment[2].value(), 0.1 * (2 * 2 + 3 * 8), 1e-15);
+  EXPECT_EQ(r.area.value(), 1);
+  EXPECT_EQ(r.traction.value(), -8);
+  EXPECT_EQ(r.velocity.value(), 10);
+  EXPECT_EQ(r.gap.value(), 0.025);
   EXPECT_NEAR(r.widest_gap, 0.1, 1e-15);
   EXPECT_EQ(r.deepest_overlap, 0);
-  EXPECT_EQ(r.place, (Vec<2>{{2, 3}}));
+  EXPECT_EQ(r.place.value(), (Vec<2>{{2, 3}}));
 }
 
 /// A stage begins anew; what was exchanged stays.
@@ -68,10 +68,10 @@ TEST(ContactSums, WhatWasExchangedAddsUp) {
   state.contacts[0].clear();
   book_contacts(state, 0, 1);
   const PairRecord<2>& r = state.ledger[0].pairs[pair_number(1, 2, 3)];
-  EXPECT_EQ(r.exchanged.momentum, (Vec<2>{{0, -4.5}}));
-  EXPECT_EQ(r.moment, (Vec<3>{{0, 0, -4.5}}));
-  EXPECT_EQ(r.area, 0);
-  EXPECT_EQ(r.force, (Vec<2>{}));
+  EXPECT_EQ(r.exchanged.momentum.value(), (Vec<2>{{0, -4.5}}));
+  EXPECT_EQ(r.moment.value(), (Vec<3>{{0, 0, -4.5}}));
+  EXPECT_EQ(r.area.value(), 0);
+  EXPECT_EQ(r.force.value(), (Vec<2>{}));
 }
 
 /// Of one-sided contacts the lower-numbered body's counts, and the deformable one's beside a rigid body; the

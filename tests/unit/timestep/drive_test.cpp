@@ -70,7 +70,7 @@ TYPED_TEST(Detonations, SetFreeTheEnergyOfWhatHasDetonated) {
   TestRun<dim> run(charge<dim>(dim - 1, 0.25 * mm), {explosive()});
   while (run.state.time < 0.5 * us) advance(run.state, run.stepping, 0.5 * us, run.engine);
   double released = 0;
-  for (const auto& l : run.state.ledger) released += l.released[0];
+  for (const auto& l : run.state.ledger) released += l.released[0].value();
   const auto now = run.totals(0);
   EXPECT_NEAR(released, tnt.detonated_energy() * now[C::ep], 1e-12 * released);
   EXPECT_NEAR(now[C::energy] - run.start[0][C::energy], released, 1e-12 * released);

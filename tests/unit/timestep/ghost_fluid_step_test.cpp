@@ -58,8 +58,8 @@ TEST_P(GhostFluid, ThePlatesPressAndPart) {
     if (area == 0 || run.state.time < 0.2 * us || run.state.time > 0.5 * us) continue;
     ++n;
     for (const auto& l : run.state.ledger) {
-      stress += l.pairs[0].traction;
-      velocity += l.pairs[0].velocity;
+      stress += l.pairs[0].traction.value();
+      velocity += l.pairs[0].velocity.value();
     }
   }
   EXPECT_GT(opens, 0.62 * us);
@@ -215,8 +215,8 @@ TEST_P(GhostFluid, ABlowBesideTheMiddleTurnsAFreeRigidBody) {
     Vec<3> moment;
     Vec<2> impulse;
     for (const auto& l : run.state.ledger) {
-      moment -= l.pairs[0].moment;
-      impulse -= l.pairs[0].exchanged.momentum;
+      moment -= l.pairs[0].moment.value();
+      impulse -= l.pairs[0].exchanged.momentum.value();
     }
     EXPECT_LT(norm(0.02 * beam.velocity - impulse), 1e-12 * norm(impulse));
     const double about_centre = moment[2] - cross(beam.centre, impulse)[2];

@@ -59,7 +59,7 @@ struct TestRun {
   Account<Dim> received(int m) const {
     Account<Dim> a;
     for (const auto& l : state.ledger) {
-      const auto& edge = l.edges[m];
+      const Account<Dim> edge = l.edges[m].value();
       a.mass -= edge.mass;
       a.energy -= edge.energy;
       a.momentum -= edge.momentum;
@@ -67,8 +67,9 @@ struct TestRun {
         if (q == m) continue;
         const auto n = static_cast<std::size_t>(pair_number(std::min(m, q), std::max(m, q), state.count()));
         const double sign = m < q ? 1 : -1;
-        a.energy += sign * l.pairs[n].exchanged.energy;
-        a.momentum += sign * l.pairs[n].exchanged.momentum;
+        const Account<Dim> exchanged = l.pairs[n].exchanged.value();
+        a.energy += sign * exchanged.energy;
+        a.momentum += sign * exchanged.momentum;
       }
     }
     return a;
@@ -94,7 +95,7 @@ struct TestRun {
   }
   double contact_area(std::size_t pair) const {
     double sum = 0;
-    for (const auto& l : state.ledger) sum += l.pairs[pair].area;
+    for (const auto& l : state.ledger) sum += l.pairs[pair].area.value();
     return sum;
   }
 

@@ -41,8 +41,8 @@ TEST(Flyer, BudgetsCloseAndThePlatesPart) {
     if (area > 0 && run.state.time > 0.2 * us && run.state.time < 0.5 * us) {
       ++n;
       for (const auto& l : run.state.ledger) {
-        stress += l.pairs[0].traction;
-        velocity += l.pairs[0].velocity;
+        stress += l.pairs[0].traction.value();
+        velocity += l.pairs[0].velocity.value();
       }
     }
   }
