@@ -7,7 +7,9 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "core/exact_batch.hpp"
 #include "parallel/exact_sums.hpp"
 
 namespace recoil {
@@ -26,31 +28,78 @@ struct At {
                                all = minus_lowest + Dim;
 };
 
-/// What one cell adds. @param x its centre.
+/// The terms of cells, which are added up many at a time.
 template <int Dim>
-void add_cell(const BodyBlock<Dim>& b, std::size_t k, const Vec<Dim>& x, std::span<ExactSum> to) {
+class CellTerms {
+ public:
+  /// Adds a row of cells along x.
+  /// @param first its first cell in the block, whose centre is `start`. @param to by At<Dim>.
+  void add_row(const BodyBlock<Dim>& b, std::size_t first, std::size_t count, const Grid<Dim>& grid,
+               Index<Dim> start, std::span<ExactSum> to) {
+    while (count > 0) {
+      if (used_ == capacity) flush(to);
+      const std::size_t part = std::min(count, capacity - used_);
+      add_contents(b, first, part);
+      add_moments(b, first, part, grid, start);
+      used_ += part, first += part, count -= part;
+      start[0] += static_cast<int>(part);
+    }
+  }
+  void flush(std::span<ExactSum> to) {
+    for (std::size_t k = 0; k < At<Dim>::sums; ++k) add_all({terms(k), used_}, to[k]);
+    used_ = 0;
+  }
+
+ private:
   using C = Components<Dim>;
   using A = At<Dim>;
-  const std::size_t n = b.volume.size();
-  const double mass = b.contents[k], damage = b.contents[C::damage * n + k];
-  Vec<Dim> momentum;
-  for (int d = 0; d < Dim; ++d) momentum[d] = b.contents[(C::u + static_cast<std::size_t>(d)) * n + k];
-  const double p2 = dot(momentum, momentum);
-  to[A::mass] += mass;
-  if (mass > 0) to[A::kinetic] += 0.5 * p2 / mass;
-  to[A::energy] += b.contents[C::energy * n + k];
-  to[A::volume] += b.volume[k];
-  to[A::speed] += std::sqrt(p2);
-  to[A::cells] += 1;
-  if (damage > 0 && damage >= failed_damage * mass) to[A::failed] += mass;
-  for (int d = 0; d < Dim; ++d) {
-    const auto e = static_cast<std::size_t>(d);
-    to[A::momentum + e] += momentum[d];
-    to[A::place + e] += mass * x[d];
+  static constexpr std::size_t capacity = 256;
+  double* terms(std::size_t sum) { return terms_.data() + sum * capacity; }
+
+  void add_contents(const BodyBlock<Dim>& b, std::size_t first, std::size_t count) {
+    const std::size_t n = b.volume.size();
+    const double *q = b.contents.data() + first, *v = b.volume.data() + first, *damage = q + C::damage * n;
+    double *mass = terms(A::mass) + used_, *kinetic = terms(A::kinetic) + used_,
+           *energy = terms(A::energy) + used_, *volume = terms(A::volume) + used_,
+           *speed = terms(A::speed) + used_, *cells = terms(A::cells) + used_,
+           *failed = terms(A::failed) + used_, *momentum = terms(A::momentum) + used_;
+#pragma omp simd
+    for (std::size_t k = 0; k < count; ++k) {
+      double p2 = 0;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const double p = q[(C::u + d) * n + k];
+        momentum[d * capacity + k] = p;
+        p2 += p * p;
+      }
+      const double m = q[k];
+      mass[k] = m;
+      kinetic[k] = m > 0 ? 0.5 * p2 / m : 0.0;
+      energy[k] = q[C::energy * n + k];
+      volume[k] = v[k];
+      speed[k] = std::sqrt(p2);
+      cells[k] = v[k] != 0 || m != 0 ? 1.0 : 0.0;
+      failed[k] = damage[k] > 0 && damage[k] >= failed_damage * m ? m : 0.0;
+    }
   }
-  const Vec<3> turning = cross(x, momentum);
-  for (int d = 0; d < 3; ++d) to[A::angular + static_cast<std::size_t>(d)] += turning[d];
-}
+  void add_moments(const BodyBlock<Dim>& b, std::size_t first, std::size_t count, const Grid<Dim>& grid,
+                   Index<Dim> i) {
+    const std::size_t n = b.volume.size();
+    double *place = terms(A::place) + used_, *angular = terms(A::angular) + used_;
+    for (std::size_t k = 0; k < count; ++k, ++i[0]) {
+      const Vec<Dim> x = grid.centre(i);
+      Vec<Dim> momentum;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        momentum[static_cast<int>(d)] = b.contents[(C::u + d) * n + first + k];
+        place[d * capacity + k] = b.contents[first + k] * x[static_cast<int>(d)];
+      }
+      const Vec<3> turning = cross(x, momentum);
+      for (std::size_t d = 0; d < 3; ++d) angular[d * capacity + k] = turning[static_cast<int>(d)];
+    }
+  }
+
+  std::vector<double> terms_ = std::vector<double>(At<Dim>::sums * capacity);
+  std::size_t used_ = 0;
+};
 
 /// Largest strain, and the extent: a ball of radius |phi| about a place inside lies within the body, and
 /// touches its surface, so the farthest such ball shows how far the body reaches.
@@ -76,14 +125,18 @@ void find_extremes(const Grid<Dim>& grid, double finest, const BodyBlock<Dim>& b
 }
 
 template <int Dim>
-void sum_block(const State<Dim>& state, const Body<Dim>& body, int slot, const SumRow& out) {
+void sum_block(const State<Dim>& state, const Body<Dim>& body, int slot, CellTerms<Dim>& terms,
+               const SumRow& out) {
   const Grid<Dim>& grid = state.grid(slot);
   const BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
-  for_each(cells, [&](const Index<Dim>& i) {
-    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-    if (b.volume[k] != 0 || b.contents[k] != 0) add_cell(b, k, grid.centre(i), out.sums);
+  Box<Dim> starts = cells;  // of the rows
+  starts.hi[0] = cells.lo[0] + 1;
+  for_each(starts, [&](const Index<Dim>& i) {
+    terms.add_row(b, static_cast<std::size_t>(layout.at(i - cells.lo)),
+                  static_cast<std::size_t>(cells.hi[0] - cells.lo[0]), grid, i, out.sums);
   });
+  terms.flush(out.sums);
   find_extremes(grid, state.grid().dx, b, cells, out);
 }
 
@@ -159,6 +212,7 @@ void add_bodies(const State<Dim>& state, parallel::Team* team, ExactSums& sums) 
   constexpr std::size_t maxima = A::all - A::sums;
   std::vector<ExactSum> own(threads * bodies * A::sums);
   std::vector<double> most(threads * bodies * maxima, -std::numeric_limits<double>::infinity());
+  std::vector<CellTerms<Dim>> terms(threads);
   const auto row = [&](std::size_t thread, std::size_t m) {
     const std::size_t at = thread * bodies + m;
     return SumRow{{own.data() + at * A::sums, A::sums}, {most.data() + at * maxima, maxima}};
@@ -167,7 +221,7 @@ void add_bodies(const State<Dim>& state, parallel::Team* team, ExactSums& sums) 
     for (std::size_t m = 0; m < bodies; ++m) {
       const Body<Dim>& body = state.bodies[m];
       if (!body.rigid && body.present(slot))
-        sum_block(state, body, slot, row(static_cast<std::size_t>(thread), m));
+        sum_block(state, body, slot, terms[thread], row(static_cast<std::size_t>(thread), m));
     }
   };
   if (threads > 1)

@@ -35,21 +35,21 @@ SumRow ExactSums::add(int item) {
 /// The sums as digits, behind them how many ranks have lost each, then the flags of the items: one reduction.
 void ExactSums::add_up(const parallel::World& world) {
   constexpr std::size_t each = ExactSum::digits + 1;
-  std::vector<std::int64_t> numbers(sums_.size() * each, 0);
+  numbers_.assign(sums_.size() * each, 0);
   for (std::size_t k = 0; k < sums_.size(); ++k) {
-    const std::span<std::int64_t> own(numbers.data() + k * each, each);
+    const std::span<std::int64_t> own(numbers_.data() + k * each, each);
     if (sums_[k].is_lost())
       own[ExactSum::digits] = 1;
     else
       sums_[k].add_to(own.first<ExactSum::digits>());
   }
-  numbers.insert(numbers.end(), any_.begin(), any_.end());
-  world.sum(numbers);
+  numbers_.insert(numbers_.end(), any_.begin(), any_.end());
+  world.sum(numbers_);
   for (std::size_t k = 0; k < sums_.size(); ++k) {
-    const std::span<const std::int64_t> own(numbers.data() + k * each, each);
+    const std::span<const std::int64_t> own(numbers_.data() + k * each, each);
     sums_[k] = own[ExactSum::digits] != 0 ? ExactSum::lost() : ExactSum::from(own.first<ExactSum::digits>());
   }
-  std::copy(numbers.end() - static_cast<std::ptrdiff_t>(any_.size()), numbers.end(), any_.begin());
+  std::copy(numbers_.end() - static_cast<std::ptrdiff_t>(any_.size()), numbers_.end(), any_.begin());
   world.max(maxima_);
 }
 

@@ -52,7 +52,8 @@ class ExactSums {
   std::vector<Kind> kinds_;
   std::vector<ExactSum> sums_;
   std::vector<double> maxima_, total_;
-  std::vector<std::int64_t> any_;  // by item
+  std::vector<std::int64_t> any_;      // by item
+  std::vector<std::int64_t> numbers_;  // as they are sent
 };
 
 }  // namespace recoil

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/exact_batch.hpp"
 #include "random.hpp"
 
 namespace recoil {
@@ -84,6 +85,28 @@ TEST(ExactSum, AddsUpByDigits) {
     }
     EXPECT_EQ(ExactSum::from(digits).value(), all.value());
   }
+}
+
+/// The same digits as one by one, whatever the sizes of the terms: alike, spread, cancelling, out of range.
+TEST(ExactSum, ManyAtATime) {
+  Random random(11);
+  for (int round = 0; round < 300; ++round) {
+    const double spread = random(0, 60);
+    std::vector<double> terms;
+    for (int k = 0; k < 1 + 7 * (round % 140); ++k) {
+      const double x = random(-1, 1) * std::pow(10, random(-spread, spread > 25 ? 25 : spread));
+      terms.push_back(k % 11 == 3 ? 0 : k % 17 == 5 && k > 5 ? -terms[static_cast<std::size_t>(k - 1)] : x);
+    }
+    ExactSum one_by_one, together;
+    for (const double x : terms) one_by_one += x;
+    add_all(terms, together);
+    together -= one_by_one;
+    ASSERT_TRUE(together.is_zero()) << "round " << round;
+  }
+  ExactSum lost;
+  std::vector<double> terms = {1, std::numeric_limits<double>::quiet_NaN(), 2};
+  add_all(terms, lost);
+  EXPECT_TRUE(lost.is_lost());
 }
 
 }  // namespace

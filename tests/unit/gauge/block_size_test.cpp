@@ -229,8 +229,7 @@ Shown run(const char* text, const Material& material, int block) {
   config::Case c = case_from(text);
   c.mesh.block = block;
   start_parallel();
-  State<Dim> state =
-      make_state<Dim>(c, std::vector<Material>(c.bodies.size(), material), parallel::World{});
+  State<Dim> state = make_state<Dim>(c, std::vector<Material>(c.bodies.size(), material), parallel::World{});
   EXPECT_EQ(state.grid().block[0], block);
   parallel::World world;
   parallel::Team team{1};
@@ -302,7 +301,7 @@ TEST(BlockSize, DoesNotShowInSpace) {
 TEST(BlockSize, DoesNotShowInFragments) {
   Material material = hard_matter();
   material.damage = TensileDamage{0.4e9, 1, 20e-9};
-  const Shown shown = expect_no_trace_of_blocks<2>(breaking, material, {8, 16, 40});
+  const Shown shown = expect_no_trace_of_blocks<2>(breaking, material, {8, 16, 24});
   EXPECT_GT(shown.gauges.at("fragments").numbers("count").back(), 1);
   EXPECT_GT(shown.gauges.at("residual").numbers("mass").back(), 0);
   EXPECT_GT(shown.gauges.at("crater").numbers("depth").back(), 0);
