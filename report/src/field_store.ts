@@ -9,6 +9,12 @@ export interface Outline {
   y: Float32Array;
 }
 
+/** The frames that have cells: of a plane that no body crosses any more none has. All of them, where none has. */
+export function withCells(frames: Frame[]): Frame[] {
+  const some = frames.filter((frame) => frame.nx * frame.ny > 0);
+  return some.length > 0 ? some : frames;
+}
+
 /** How many values are kept: 64 MB of single precision. */
 const ROOM = 16e6;
 

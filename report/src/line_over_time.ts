@@ -4,7 +4,7 @@ import { type Scale, pictureOf } from "./colours";
 import type { Variable } from "./data";
 import { cssColour } from "./dom";
 import { drawKey } from "./field_picture";
-import type { FieldStore } from "./field_store";
+import { type FieldStore, withCells } from "./field_store";
 import { PlotArea, drawAxes } from "./plot_area";
 
 export interface LineOverTime {
@@ -28,14 +28,16 @@ export async function lineOverTime(
   axes: string[],
 ): Promise<LineOverTime> {
   const frames = store.frames(plane);
-  const step = along === 0 ? (frames[0]?.dx ?? 1) : (frames[0]?.dy ?? 1);
+  const shown = withCells(frames);
+  const step = along === 0 ? (shown[0]?.dx ?? 1) : (shown[0]?.dy ?? 1);
   const begins = frames.map((f) => (along === 0 ? f.x : f.y));
-  const ends = frames.map((f) => (along === 0 ? f.x + f.nx * f.dx : f.y + f.ny * f.dy));
-  const from = Math.min(...begins);
+  const ends = shown.map((f) => (along === 0 ? f.x + f.nx * f.dx : f.y + f.ny * f.dy));
+  const from = Math.min(...shown.map((f) => (along === 0 ? f.x : f.y)));
   const count = Math.round((Math.max(...ends) - from) / step);
   const values = new Float32Array(count * frames.length).fill(NaN);
   const surfaces: { x: number; t: number }[] = [];
   for (const [n, frame] of frames.entries()) {
+    if (frame.nx === 0) continue;
     const all = await store.valuesOf(plane, n, name);
     const offset = Math.round(((begins[n] ?? 0) - from) / step);
     const across = along === 0 ? (place - frame.y) / frame.dy : (place - frame.x) / frame.dx;
@@ -47,7 +49,7 @@ export async function lineOverTime(
     if (frame.ny === 1)
       for (const line of await store.outlinesOf(plane, n)) surfaces.push({ x: line.x[0] ?? NaN, t: frame.t });
   }
-  const where = frames[0]?.ny === 1 ? "" : `${axes[1 - along] ?? ""} = ${place.toPrecision(4)} mm`;
+  const where = shown[0]?.ny === 1 ? "" : `${axes[1 - along] ?? ""} = ${place.toPrecision(4)} mm`;
   return { axis: axes[along] ?? "x", where, from, step, count, times: frames.map((f) => f.t), values, surfaces };
 }
 

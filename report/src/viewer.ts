@@ -5,7 +5,7 @@ import type { Frame, Run, Variable } from "./data";
 import { HELP, RANGE_MODES, type RangeMode, contactKey, overTimeButtons, rangeOf } from "./controls";
 import { chooser, h } from "./dom";
 import { type FieldScene, drawField, roomy } from "./field_picture";
-import { FieldStore } from "./field_store";
+import { FieldStore, withCells } from "./field_store";
 import { type LineOverTime, drawOverTime, lineOverTime } from "./line_over_time";
 import { atStep, clamp, ticks } from "./numbers";
 import { PlotArea, type Span, prepared } from "./plot_area";
@@ -177,7 +177,7 @@ export class Viewer {
   /** What the axes span: the zoom, or all that any frame shows. */
   private extent(): { x: Span; y: Span } {
     if (this.window) return this.window;
-    const frames = this.frames();
+    const frames = withCells(this.frames());
     const right = Math.max(...frames.map((f) => f.x + f.nx * f.dx));
     const left = Math.min(...frames.map((f) => f.x));
     return {

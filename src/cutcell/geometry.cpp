@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cutcell/clip.hpp"
+#include "state/level_set_view.hpp"
 
 namespace recoil {
 
@@ -87,13 +88,9 @@ template <int Dim>
 CellValues cell_values(const State<Dim>& state, const Window<Dim>& w, const Body<Dim>& b, PhiAt when,
                        Scratch& scratch) {
   CellValues cells;
-  cells.phi = scratch.take<double>(w.size());
-  w.gather(
-      [&](int s) {
-        const auto& blk = b.at(s);
-        return !blk.present ? nullptr : when == PhiAt::midstep ? blk.phi_midstep.data() : blk.phi.data();
-      },
-      far_cells * state.grid().dx, Beyond::extend, cells.phi);
+  cells.phi =
+      view_level_set(state.grid(), b, w,
+                     when == PhiAt::midstep ? &BodyBlock<Dim>::phi_midstep : &BodyBlock<Dim>::phi, scratch);
   if (b.rigid) return cells;
   cells.contact = scratch.take<std::uint32_t>(w.size());
   w.gather([&](int s) { return b.present(s) ? b.at(s).contact.data() : nullptr; }, std::uint32_t{0},

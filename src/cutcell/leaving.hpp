@@ -26,13 +26,12 @@ OpenEdge open_edge_along(const MovesView<Dim>& p, const Index<Dim>& i, int sign)
   return at_edge ? OpenEdge{axis, low} : OpenEdge{};
 }
 
-/// Whether a cut cell at an open edge has so little, with so little around, that no stencil reaches it any
-/// more.
+/// Whether a cut cell at an open edge has so little, or a negative volume, with so little around, that no
+/// stencil reaches it any more.
 template <int Dim>
 bool is_last_at_edge(const MovesView<Dim>& p, const Index<Dim>& i) {
   const int k = p.window.at(i);
-  if (p.kind[k] != CellKind::cut || !(p.volume[k] > 0) || p.volume[k] >= regular_fill * p.full(i))
-    return false;
+  if (p.kind[k] != CellKind::cut || p.volume[k] == 0 || p.volume[k] >= regular_fill * p.full(i)) return false;
   bool at_edge = false;
   for (int d = 0; d < Dim; ++d)
     at_edge = at_edge || (i[d] == 0 && p.grid.edge[d][0] == Edge::outflow) ||
@@ -53,8 +52,10 @@ bool leaves_domain(const MovesView<Dim>& p, const Index<Dim>& i) {
   const OpenEdge edge = open_edge_along(p, i, -1);
   if (edge.axis < 0) return false;
   if (p.kind[p.window.at(i)] == CellKind::empty) return true;
-  const double momentum = p.contents(i)[Components<Dim>::u + static_cast<std::size_t>(edge.axis)];
-  return edge.low ? momentum < 0 : momentum > 0;
+  const Contents<Dim> q = p.contents(i);
+  const double momentum = q[Components<Dim>::u + static_cast<std::size_t>(edge.axis)];
+  const bool upwards = q[Components<Dim>::rho] > 0 ? momentum > 0 : momentum < 0;
+  return momentum != 0 && upwards != edge.low;
 }
 
 /// Adds what leaves to the account of the edges.

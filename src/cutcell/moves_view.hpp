@@ -8,6 +8,7 @@
 #include "core/scratch.hpp"
 #include "cutcell/geometry.hpp"
 #include "state/body.hpp"
+#include "state/level_set_view.hpp"
 
 namespace recoil {
 
@@ -30,11 +31,7 @@ class MovesView {
                   CellKind::empty, Beyond::nothing, kind);
   }
 
-  void gather_phi() {
-    phi = scratch_.take<double>(window.size());
-    window.gather([&](int s) { return body_.present(s) ? body_.at(s).phi.data() : nullptr; },
-                  far_cells * grid.dx, Beyond::extend, phi);
-  }
+  void gather_phi() { phi = view_level_set(grid, body_, window, &BodyBlock<Dim>::phi, scratch_); }
 
   bool exists(const Index<Dim>& i) const { return window.source_inside(i).slot >= 0; }
   double full(const Index<Dim>& i) const { return grid.full_volume(i); }

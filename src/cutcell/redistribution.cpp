@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "cutcell/geometry.hpp"
+#include "state/level_set_view.hpp"
 
 namespace recoil {
 
@@ -86,11 +87,7 @@ class Redistribution {
     smalls_ = count;
     return count > 0;
   }
-  void gather_phi() {
-    phi_ = scratch_.take<double>(n_);
-    window_.gather([&](int s) { return body_.present(s) ? body_.at(s).phi.data() : nullptr; },
-                   far_cells * grid_.dx, Beyond::extend, phi_);
-  }
+  void gather_phi() { phi_ = view_level_set(grid_, body_, window_, &BodyBlock<Dim>::phi, scratch_); }
 
   void add_member(Neighbourhood& s, const Index<Dim>& i, double& sum) {
     const int k = window_.at(i);

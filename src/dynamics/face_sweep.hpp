@@ -29,6 +29,18 @@ struct EnoLlf {
   }
 };
 
+/// Counts a face whose stencil lacks values. @param at the cell above it.
+template <int Dim>
+void count_poor_face(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step, Counters& counters) {
+  bool dust = false, leaves = false;
+  for (int s = -3; s < 3; ++s) dust = dust || (w.failed && w.failed[at + s * step] != intact);
+  const Index<Dim> i = w.window.box().index(static_cast<int>(at));
+  for (int d = 0; d < Dim; ++d)
+    leaves = leaves || (i[d] < 3 && w.grid.edge[d][0] == Edge::outflow) ||
+             (i[d] >= w.grid.cells[d] - 3 && w.grid.edge[d][1] == Edge::outflow);
+  ++(dust ? counters.faces_of_dust : leaves ? counters.faces_at_open_edges : counters.faces_without_value);
+}
+
 /// A face whose stencil lacks values: the nearest value stands in for those beyond it.
 template <int Dim, int Axis, bool Shear, class Scheme>
 void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step,
@@ -40,9 +52,7 @@ void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t a
     from[s] = at + (static_cast<std::ptrdiff_t>(s) - 3) * step;
     has[s] = (w.role[from[s]] & valued) != 0;
   }
-  bool dust = false;
-  for (int s = -3; s < 3; ++s) dust = dust || (w.failed && w.failed[at + s * step] != intact);
-  ++(dust ? counters.faces_of_dust : counters.faces_without_value);
+  count_poor_face(w, at, step, counters);
   if (!has[2] && !has[3]) {
     for (std::size_t c = 0; c < C::contents; ++c) out.flux[c * out.faces + out.first] = 0;
     for (std::size_t d = 0; d < Dim; ++d) out.velocity[d * out.faces + out.first] = 0;

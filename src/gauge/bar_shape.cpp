@@ -8,6 +8,7 @@
 
 #include "field/window.hpp"
 #include "gauge/point_state.hpp"
+#include "state/level_set_view.hpp"
 
 namespace recoil {
 
@@ -52,12 +53,9 @@ void for_crossings(const State<Dim>& state, const BarWatch& bar, int slot, F&& f
   const Grid<Dim>& grid = state.grid(slot);
   const Window<Dim> window(state.mesh, slot, 1);
   const auto size = static_cast<std::size_t>(window.size());
-  const double far = far_cells * grid.dx;
   std::vector<double> own(size), wall(size);
   const auto gather = [&](int m, std::vector<double>& to) {
-    const auto& body = state.bodies[m];
-    window.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far,
-                  Beyond::extend, to.data());
+    view_level_set(grid, state.bodies[m], window, &BodyBlock<Dim>::phi, to.data());
   };
   gather(bar.body, own);
   gather(bar.wall, wall);

@@ -25,12 +25,13 @@ constexpr double gap_reach = 5;     // dx from the second
 /// The smallest distance between two surfaces in a block [m]: the sum of two signed distances is nowhere
 /// less.
 double smallest_gap(const FieldArray<double>& first, const FieldArray<double>& second, double dx) {
-  double least = std::numeric_limits<double>::infinity();
+  constexpr double far = std::numeric_limits<double>::infinity();
+  double least = far;
 #pragma omp simd reduction(min : least)
   for (std::size_t k = 0; k < first.size(); ++k) {
     const double gap = first[k] + second[k];
     const bool looked_at = std::abs(first[k]) <= near_surface * dx && std::abs(second[k]) < gap_reach * dx;
-    least = std::min(least, looked_at ? gap : std::numeric_limits<double>::infinity());
+    least = std::min(least, looked_at ? gap : far);
   }
   return least;
 }

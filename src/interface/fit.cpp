@@ -10,6 +10,7 @@
 #include "dynamics/half_step.hpp"
 #include "dynamics/plastic_return.hpp"
 #include "dynamics/primitives.hpp"
+#include "state/level_set_view.hpp"
 
 namespace recoil {
 
@@ -327,9 +328,7 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   auto* role = scratch.take<std::uint8_t>(static_cast<std::size_t>(w.size()));
   w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
            Beyond::extend, role);
-  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; },
-           far_cells * state.grid().dx, Beyond::extend, phi);
+  const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
   for (std::size_t m = 0; m < b.walls.size(); ++m) {
     Wall<Dim>& wall = b.walls[m];
     wall.first_donor = static_cast<int>(b.donors.size());

@@ -1,4 +1,5 @@
 #include "interface/surface_view.hpp"
+#include "state/level_set_view.hpp"
 
 #include <cstddef>
 
@@ -56,15 +57,12 @@ SurfaceView<Dim> view_surfaces(State<Dim>& state, int slot, const Sight& sight, 
                      scratch.take_filled<const std::uint32_t*>(n, nullptr),
                      scratch.take_filled<const int*>(n, nullptr),
                      scratch.take_filled<RigidPose<Dim>>(n, RigidPose<Dim>{})};
-  const auto phi_of = [&](const Block& b) -> const auto& {
-    return sight.when == PhiAt::midstep ? b.phi_midstep : b.phi;
-  };
+  const auto phi = sight.when == PhiAt::midstep ? &Block::phi_midstep : &Block::phi;
   for (std::size_t m = 0; m < n; ++m) {
     const Body<Dim>& body = state.bodies[m];
     if (body.rigid) v.pose[m] = pose_after(*body.rigid, 0);
     if (!body.present(slot)) continue;
-    if (!body.rigid || sight.rigid_phi)
-      v.phi[m] = gather(v.window, body, far_cells * v.dx(), Beyond::extend, scratch, phi_of);
+    if (!body.rigid || sight.rigid_phi) v.phi[m] = view_level_set(state.grid(), body, v.window, phi, scratch);
     if (body.rigid) continue;
     v.contact[m] = gather(
         v.window, body, std::uint32_t{0}, Beyond::extend, scratch,

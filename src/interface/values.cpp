@@ -11,6 +11,7 @@
 #include "interface/nearest_wall.hpp"
 #include "interface/walls.hpp"
 #include "levelset/distance.hpp"
+#include "state/level_set_view.hpp"
 
 namespace recoil {
 
@@ -212,11 +213,9 @@ void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Cells cel
   const Grid<Dim>& grid = state.grid();
   const Window<Dim> w(state.mesh, slot, wall_reach, b.reach);
   const auto n = static_cast<std::size_t>(w.size());
-  double* phi = scratch.take<double>(n);
+  const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
   auto* kind = scratch.take<CellKind>(n);
   int* index = scratch.take<int>(n);
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx,
-           Beyond::extend, phi);
   w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.kind.data() : nullptr; },
            CellKind::empty, Beyond::extend, kind);
   w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, -1,

@@ -1,4 +1,5 @@
 #include "levelset/band.hpp"
+#include "state/level_set_view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +52,7 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
   for (const int s : state.mesh.block(slot).neighbour) around = around || (s >= 0 && body.present(s));
   if (!around) return choice;
   const Window<Dim> w(state.mesh, slot, 2);
-  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx,
-           Beyond::extend, phi);
+  const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
   const double band = band_cells * grid.dx;
   bool inside = false;
   for (int k = 0; k < w.size(); ++k) {

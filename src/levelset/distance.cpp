@@ -1,4 +1,5 @@
 #include "levelset/distance.hpp"
+#include "state/level_set_view.hpp"
 
 #include <algorithm>
 #include <array>
@@ -130,8 +131,7 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
   const double h = state.grid().dx, far = far_cells * h;
   const Window<Dim> w(state.mesh, slot, 2 * sweeps);
   const auto n = static_cast<std::size_t>(w.size());
-  double* p0 = scratch.take<double>(n);
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far, Beyond::extend, p0);
+  double* p0 = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
   Strides<Dim> stride{};
   for (int d = 0; d < Dim; ++d) stride[d] = w.stride(d);
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/mul_add.hpp"
+#include "state/level_set_view.hpp"
 
 namespace recoil {
 
@@ -167,9 +168,7 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
   const Grid<Dim>& grid = state.grid();
   const double dx = grid.dx, steepness = 2 / (dx * dx);
   const Window<Dim> w(state.mesh, slot, surface_reach, b.reach);
-  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi_midstep.data() : nullptr; }, far_cells * dx,
-           Beyond::extend, phi);
+  const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi_midstep, scratch);
   const CutsInView cuts = cuts_in_view(
       w, [&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, scratch);
   const WallAt<Dim>* walls = walls_in_view(grid, body, w, cuts, scratch);
@@ -211,9 +210,7 @@ void advect_level_set(const State<Dim>& state, Body<Dim>& body, int slot, double
   if (!b.near_surface || b.reach.size() == 0 || !moves(b)) return;
   const Grid<Dim>& grid = state.grid();
   const Window<Dim> w(state.mesh, slot, 3, b.reach);
-  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * grid.dx,
-           Beyond::extend, phi);
+  const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
   for_each_advected_row(grid, b, w, phi, scratch,
                         [&](std::size_t cell, int, int count, const double* change) {
                           double* p = (b.*out).data() + cell;
@@ -228,9 +225,7 @@ void advect_level_set_again(const State<Dim>& state, Body<Dim>& body, int slot, 
   const Grid<Dim>& grid = state.grid();
   const double far = far_cells * grid.dx;
   const Window<Dim> w(state.mesh, slot, 3, b.reach);
-  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi_next.data() : nullptr; }, far, Beyond::extend,
-           phi);
+  const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi_next, scratch);
   for_each_advected_row(grid, b, w, phi, scratch,
                         [&](std::size_t cell, int k, int count, const double* change) {
                           double* p = b.phi.data() + cell;
@@ -247,9 +242,7 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
   const Grid<Dim>& grid = state.grid();
   const double dx = grid.dx;
   const Window<Dim> w(state.mesh, slot, surface_reach, b.reach);
-  double* phi = scratch.take<double>(static_cast<std::size_t>(w.size()));
-  w.gather([&](int s) { return body.present(s) ? body.at(s).phi.data() : nullptr; }, far_cells * dx,
-           Beyond::extend, phi);
+  const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
   const CutsInView cuts = cuts_in_view(
       w, [&](int s) { return body.present(s) ? body.at(s).end_geometry.index.data() : nullptr; }, scratch);
   double* mismatch = scratch.take<double>(static_cast<std::size_t>(cuts.count));

@@ -119,6 +119,7 @@ std::vector<double> centres_and_ends(double x0, double dx, int n) {
 }  // namespace
 
 std::vector<Outline> zero_outlines(const PlaneArray& phi) {
+  if (phi.values.empty()) return {};
   check(phi);
   NodeGrid grid{centres_and_ends(phi.x0, phi.dx, phi.nx), centres_and_ends(phi.y0, phi.dy, phi.ny), {}};
   for (int j = -1; j <= phi.ny; ++j)

@@ -23,6 +23,7 @@ using L = config::Limits;
 constexpr std::array counter_limits{
     CounterLimit{"first-order-faces", &L::first_order_faces, "faces took the state of their cell"},
     CounterLimit{"faces-without-value", &L::faces_without_value, "faces lacked a value"},
+    CounterLimit{"faces-at-open-edges", &L::faces_at_open_edges, "faces at open edges lacked a value"},
     CounterLimit{"cuts-without-donor", &L::cuts_without_donor, "cut cells had no fit"},
     CounterLimit{"ghosts-without-wall", &L::ghosts_without_wall, "cells beyond a surface had no wall"},
     CounterLimit{"averages-kept", &L::averages_kept, "averages of the stage before were kept"},

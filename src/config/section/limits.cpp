@@ -29,6 +29,8 @@ Entries<Limits> Limits::keys() {
        .example = "1e-6"},
       part("first-order-faces", &L::first_order_faces, "faces that take the states of their cells"),
       part("faces-without-value", &L::faces_without_value, "faces that lack a value"),
+      part("faces-at-open-edges", &L::faces_at_open_edges,
+           "those within three cells of an open edge of the domain"),
       part("cuts-without-donor", &L::cuts_without_donor, "cut cells without a fit"),
       part("ghosts-without-wall", &L::ghosts_without_wall, "cells beyond a surface without a wall"),
       part("averages-kept", &L::averages_kept, "fragments whose average of the stage before stands"),

@@ -7,9 +7,9 @@ namespace recoil::config {
 /// What a run may show and still be called valid. Parts are of all states of cells: cells with matter, summed
 /// over the steps. Those of counters go by the counters' names in summary.json.
 struct Limits {
-  double first_order_faces = 1e-2, faces_without_value = 1e-4, cuts_without_donor = 1e-3,
-         ghosts_without_wall = 1e-3, averages_kept = 1e-5, fragments_too_thin = 1e-3,
-         real_cells_without_contents = 1e-3, uncovered_cells_without_value = 1e-3,
+  double first_order_faces = 1e-2, faces_without_value = 1e-4, faces_at_open_edges = 1e-2,
+         cuts_without_donor = 1e-3, ghosts_without_wall = 1e-3, averages_kept = 1e-5,
+         fragments_too_thin = 1e-3, real_cells_without_contents = 1e-3, uncovered_cells_without_value = 1e-3,
          clamped_fit_densities = 1e-3, clamped_ghost_densities = 1e-3, averaged_states = 1e-5,
          unmerged_fragments = 1e-3, lone_fragments_moved = 1e-3, capped_speeds = 1e-5, volume_bounds = 1e-2,
          volume_bounds_left = 1e-2, floored_sound_speeds = 1e-3, cleared_strains = 1e-3,

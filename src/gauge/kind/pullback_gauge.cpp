@@ -64,8 +64,8 @@ class PullbackWatch : public GaugeWatch<Dim> {
     const Body<Dim>& body = state.bodies[point_.body];
     double length = 0;
     for (int d = 0; d < Dim; ++d) length += grid.cells[d] * grid.dx;
-    for (double s = 0.5 * grid.dx; s < length; s += grid.dx) {
-      const Vec<Dim> x = point_.at - s * point_.normal;
+    for (int n = 0; n * grid.dx < length; ++n) {
+      const Vec<Dim> x = point_.at - (n + 0.5) * grid.dx * point_.normal;
       const int slot = state.mesh.find(x);
       if (slot < 0 || slot >= state.mesh.local() || !body.present(slot)) continue;
       const Grid<Dim>& own = state.grid(slot);

@@ -66,6 +66,7 @@ TEST(Outline, SaddleIsDecidedByItsMean) {
 TEST(Outline, NothingWhereNothingIsKnown) {
   auto phi = sampled(30, 30, -1.5, -1.5, 0.1, [](double x, double y) { return std::hypot(x, y) - 1; });
   EXPECT_TRUE(zero_outlines(PlaneArray{2, 2, 0, 0, 1, 1, {1, 1, 1, 1}}).empty());
+  EXPECT_TRUE(zero_outlines(PlaneArray{}).empty()) << "a plane without cells";
   phi.values[15 + 30 * 5] = std::nan("");  // on the lower part of the circle: the curve opens there
   const auto outlines = zero_outlines(phi);
   ASSERT_EQ(outlines.size(), 1u);

@@ -124,5 +124,23 @@ TEST(VelocityHistory, MovesARigidBodyAndItsContact) {
   EXPECT_GT(run.totals(1)[1], 0);
 }
 
+/// The products of a bare charge fill the domain and leave it on all sides.
+TEST(Detonation, ProductsLeaveThroughOpenEdges) {
+  const auto domain = domain_of(Geometry::planar, vector_of(-12 * mm, -12 * mm), vector_of(12 * mm, 12 * mm));
+  const auto shape = box_shape(vector_of(-3 * mm, -3 * mm), vector_of(3 * mm, 3 * mm));
+  auto c = case_of(domain, 0.5 * mm, {body_of("charge", shape)});
+  c.bodies[0].detonation.points = {vector_of(0, 0)};
+  TestRun<2> run(c, {explosive()});
+  double before = run.start[0][0];
+  while (run.state.time < 10 * us) {
+    advance(run.state, run.stepping, 1, run.engine);
+    const double mass = run.totals(0)[0];
+    ASSERT_LE(mass, before * (1 + 1e-12)) << "nothing comes in";
+    before = mass;
+  }
+  EXPECT_LT(before, 0.3 * run.start[0][0]);
+  EXPECT_EQ(run.counted().averaged_states, 0);
+}
+
 }  // namespace
 }  // namespace recoil
