@@ -22,7 +22,7 @@ from .errors import (
     UnfinishedRun,
     UnknownName,
 )
-from .fields import Fields, Grid
+from .fields import Fields, Grid, RigidBody
 from .launch import program_file, run
 from .results import Run, open_run
 from .sweeps import sweep
@@ -41,6 +41,7 @@ __all__ = [
     "PhysicsError",
     "RecoilError",
     "RecoilWarning",
+    "RigidBody",
     "Run",
     "UnfinishedRun",
     "UnknownName",
