@@ -24,6 +24,7 @@ from .errors import (
 )
 from .fields import Fields, Grid, RigidBody
 from .launch import program_file, run
+from .material import Material
 from .results import Run, open_run
 from .sweeps import sweep
 from .tables import read_table
@@ -37,6 +38,7 @@ __all__ = [
     "Grid",
     "InputError",
     "InternalError",
+    "Material",
     "MissingDependency",
     "PhysicsError",
     "RecoilError",
