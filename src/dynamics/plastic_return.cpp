@@ -79,9 +79,10 @@ bool crush_cell(const Porous& eos, double* q, std::size_t n, double volume) {
   if (!(mass > 0 && volume > 0)) return false;
   double momentum2 = 0;
   for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[(C::u + d) * n] * q[(C::u + d) * n];
-  const double e = (q[C::energy * n] - 0.5 * momentum2 / mass) / mass, before = q[C::crushed * n] / mass;
+  double& crushed = q[C::crushed * n];
+  const double e = (q[C::energy * n] - 0.5 * momentum2 / mass) / mass, before = crushed / mass;
   const double now = eos.crush(mass / volume, e, std::clamp(before, 0.0, most));
-  if (now != before) q[C::crushed * n] = mass * now;
+  if (now != before) crushed = mass * now;
   return before < -least_distension || before > most + least_distension;
 }
 

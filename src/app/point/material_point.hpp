@@ -24,8 +24,8 @@ class MaterialPoint {
   /// state has no such state.
   MaterialPoint(const Material& material, std::optional<double> pressure, std::optional<double> temperature);
 
-  /// Deforms it at a gradient for dt [s]. @throws PhysicsError where the equation of state ends.
-  void advance(const Tensor& gradient, double dt);
+  /// Deforms it at the gradient `l` for dt [s]. @throws PhysicsError where the equation of state ends.
+  void advance(const Tensor& l, double dt);
 
   PointState<3> state() const { return point_state<3>(*body_, contents_, volume_); }
   double internal_energy() const;  // J/kg, of elastic distortion included

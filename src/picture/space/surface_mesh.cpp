@@ -81,7 +81,7 @@ class Mesher {
   }
 
   void add_tetrahedron(std::array<const Corner*, 4> c) {
-    std::ranges::stable_partition(c, [](const Corner* p) { return p->inside(); });
+    std::stable_partition(c.begin(), c.end(), [](const Corner* p) { return p->inside(); });
     const auto inside = std::ranges::count_if(c, [](const Corner* p) { return p->inside(); });
     if (inside == 0 || inside == 4) return;
     const Vec<3> outwards = c[3]->x - c[0]->x;

@@ -162,7 +162,7 @@ TEST(FieldDump, DamagedPlacesOfRigidBodiesAreAnError) {
 
 TEST(FieldDump, KnowsItsVariables) {
   try {
-    FieldDump<1>("nowhere", "x", {"presure"});
+    const FieldDump<1> dump("nowhere", "x", {"presure"});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean 'pressure'?"), std::string::npos) << error.what();
