@@ -5,7 +5,7 @@
 
 Options: --field plastic_strain, --body NAME (all where there is none), --time 3e-6 (in s; the last where there is none).
 In the pipeline: `bodies` (their surfaces), `matter` (cells that hold some), in space `section` (across the middle) and
-`levels` (the cells, by their level; not shown where there is one level).
+`levels` (the cells, by their level; not shown where there is one level), in space `rigid NAME` (rigid bodies, grey).
 """
 
 import argparse
@@ -18,6 +18,18 @@ from paraview import simple as pv
 FIELD = "pressure_GPa"
 LEVEL_SET = "level_set_"
 INK = [0.1, 0.1, 0.12]
+GREY = [0.72, 0.74, 0.77]
+
+# Moves the surface that a rigid body had at the start, inputs[1], to where the dump has the body.
+MOVE = """
+import numpy
+fields = inputs[0].FieldData
+row = [int(number) for number in fields["rigid_body"]].index({number})
+turn = numpy.asarray(fields["rigid_rotation"])[row].reshape(3, 3)
+start, centre = (numpy.asarray(fields[name])[row] for name in ("rigid_start_centre_m", "rigid_centre_m"))
+output.ShallowCopy(inputs[1].VTKObject)
+output.Points = centre + (inputs[1].Points - start) @ turn.T
+"""
 
 
 def folder_of_run():
@@ -46,14 +58,26 @@ def open_run(folder):
     return reader
 
 
-def shown_bodies(reader, wanted):
-    """Names of the level sets of the bodies to show."""
+def rigid_surfaces(folder):
+    """Number and STL file of the rigid bodies in space, by name, which is the head of the file."""
+    found = {}
+    for file in sorted(glob.glob(os.path.join(folder, "fields", "rigid_*.stl"))):
+        with open(file, "rb") as stl:
+            found[stl.read(80).decode().strip()] = (int(os.path.basename(file)[len("rigid_") : -len(".stl")]), file)
+    return found
+
+
+def shown_bodies(reader, wanted, rigid):
+    """Names of the level sets of the deformable bodies to show, and the rigid ones."""
     names = [a.Name for a in reader.CellData if a.Name.startswith(LEVEL_SET)]
     of_body = {n[len(LEVEL_SET) : -len("_m")]: n for n in names}
     for body in wanted or ():
         if body not in of_body:
             sys.exit(f"there is no body {body!r}: there are {', '.join(of_body)}")
-    return [of_body[b] for b in wanted or of_body]
+    level_sets = [of_body[b] for b in wanted or of_body if b not in rigid]
+    if not level_sets:
+        sys.exit("--body names rigid bodies only, which have no field; add a deformable one")
+    return level_sets, [b for b in wanted or rigid if b in rigid]
 
 
 def threshold(source, array, low, high):
@@ -134,6 +158,16 @@ def add_levels(matter, view):
     pv.Hide(levels, view)
 
 
+def show_rigid(reader, name, number, file, view):
+    """A rigid body, grey, where it is at the time that is shown."""
+    surface = pv.STLReader(FileNames=[file])
+    body = pv.ProgrammableFilter(Input=[reader, surface], OutputDataSetType="vtkPolyData", Script=MOVE.format(number=number))
+    pv.RenameSource(f"rigid {name}", body)
+    shown = pv.Show(body, view)
+    shown.ColorArrayName = [None, ""]
+    shown.AmbientColor = shown.DiffuseColor = GREY
+
+
 def show_times(reader, view, time):
     scene = pv.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
@@ -146,6 +180,7 @@ def show_times(reader, view, time):
 def main():
     said = options()
     reader = open_run(folder_of_run())
+    rigid = rigid_surfaces(folder_of_run())
     arrays = [a.Name for a in reader.CellData]
     field = said.field or (FIELD if FIELD in arrays else arrays[0])  # a case may write few variables
     if field not in arrays:
@@ -159,8 +194,11 @@ def main():
     pv.RenameSource("matter", matter)
     bounds = reader.GetDataInformation().GetBounds()
     make, show = (insides, show_space) if bounds[5] > bounds[4] else (outlines, show_plane)
-    bodies = make(reader, shown_bodies(reader, said.body))
+    level_sets, shown_rigid = shown_bodies(reader, said.body, rigid)
+    bodies = make(reader, level_sets)
     shown = show(reader, matter, bodies, field, view)
+    for name in shown_rigid:
+        show_rigid(reader, name, *rigid[name], view)
     if "level" in arrays:
         add_levels(matter, view)
     show_times(reader, view, said.time)

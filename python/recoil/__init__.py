@@ -22,8 +22,9 @@ from .errors import (
     UnfinishedRun,
     UnknownName,
 )
-from .fields import Fields, Grid
+from .fields import Fields, Grid, RigidBody
 from .launch import program_file, run
+from .material import Material
 from .results import Run, open_run
 from .sweeps import sweep
 from .tables import read_table
@@ -37,10 +38,12 @@ __all__ = [
     "Grid",
     "InputError",
     "InternalError",
+    "Material",
     "MissingDependency",
     "PhysicsError",
     "RecoilError",
     "RecoilWarning",
+    "RigidBody",
     "Run",
     "UnfinishedRun",
     "UnknownName",

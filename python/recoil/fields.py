@@ -3,6 +3,7 @@
 A file is a VTKHDF UnstructuredGrid of boxes (docs/reference/results.md), which may have several sizes.
 """
 
+import dataclasses
 import itertools
 import json
 import pathlib
@@ -38,6 +39,22 @@ def split_array(array):
     return array, "1", 1
 
 
+@dataclasses.dataclass(frozen=True)
+class RigidBody:
+    """Where a rigid body is at one time, and how it moves. A point of it that was at X is now at `now(X)`."""
+
+    start: numpy.ndarray  # the point that it turns about, at the start, (dimensions,), mm
+    centre: numpy.ndarray  # that point now, (dimensions,), mm
+    rotation: numpy.ndarray  # since the start, (3, 3): columns are where the axes of the start point now
+    velocity: numpy.ndarray  # of the centre, (dimensions,), m/s
+    spin: numpy.ndarray  # (3,), rad/s; in the plane the third
+
+    def now(self, points):
+        """Where points of the start [mm], (..., dimensions), are now."""
+        many = len(self.start)
+        return self.centre + (numpy.asarray(points) - self.start) @ self.rotation[:many, :many].T
+
+
 class Fields:
     """The fields of a run at one time, for each cell that holds matter or lies beside a surface.
 
@@ -45,10 +62,11 @@ class Fields:
     part. NaN where a cell has too little matter. Names may have hyphens as on the command line: `plastic-strain`.
     """
 
-    def __init__(self, path, time, axes):
+    def __init__(self, path, time, axes, bodies=()):
         self.path = pathlib.Path(path)
         self.time = time  # us
         self.axes = tuple(axes)  # ("x",), ("x", "y"), ("r", "z") or ("x", "y", "z")
+        self.bodies = tuple(bodies)  # names, in the order of the case
         self._arrays = {}
 
     def __repr__(self):
@@ -108,6 +126,23 @@ class Fields:
         """Name and part; hyphens of the command line are underscores, but for names of bodies, which have none."""
         whole, _, part = str(name).partition(".")
         return whole.replace("-", "_"), part
+
+    @cached_property
+    def rigid(self):
+        """Where the rigid bodies are, prescribed and free: {name: RigidBody}; empty in runs of older versions."""
+        with self._file() as file:
+            arrays = {name: data[...] for name, data in file["VTKHDF/FieldData"].items() if name.startswith("rigid_")}
+        many = len(self.axes)
+        return {
+            self.bodies[number] if number < len(self.bodies) else str(number): RigidBody(
+                start=arrays["rigid_start_centre_m"][row, :many] * 1e3,
+                centre=arrays["rigid_centre_m"][row, :many] * 1e3,
+                rotation=arrays["rigid_rotation"][row].reshape(3, 3),
+                velocity=arrays["rigid_velocity_m_per_s"][row, :many],
+                spin=arrays["rigid_spin_rad_per_s"][row],
+            )
+            for row, number in enumerate(arrays.get("rigid_body", ()))
+        }
 
     @cached_property
     def _boxes(self):
@@ -209,9 +244,9 @@ class FieldSeries(Sequence):
     times: of the dumps, (dumps,), us.
     """
 
-    def __init__(self, folder, axes):
+    def __init__(self, folder, axes, bodies):
         self._folder = pathlib.Path(folder)
-        self._axes = axes  # a function: it reads the case
+        self._axes, self._bodies = axes, bodies  # functions: they read the case
 
     @cached_property
     def _entries(self):
@@ -231,7 +266,7 @@ class FieldSeries(Sequence):
         if isinstance(number, slice):
             return [self[k] for k in range(*number.indices(len(self)))]
         name, time = self._entries[number]
-        return Fields(self._folder / name, time, self._axes())
+        return Fields(self._folder / name, time, self._axes(), self._bodies())
 
     def __call__(self, time):
         """The dump nearest to a time: a number in us, or a text with a unit. @raises InputError beyond the last one."""

@@ -29,7 +29,7 @@ class Run:
         if not (self.folder / "case.resolved.toml").is_file():
             raise InputError(f"{self.folder} is not the folder of a run: it has no case.resolved.toml", self.folder)
         self.gauges = Tables("gauge", {p.stem: p for p in sorted(self.folder.glob("gauges/*.csv"))})
-        self.fields = FieldSeries(self.folder / "fields", lambda: self.axes)
+        self.fields = FieldSeries(self.folder / "fields", lambda: self.axes, lambda: self.bodies)
 
     def __repr__(self):
         word = self.verdict if self.finished else self.state

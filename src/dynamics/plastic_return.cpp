@@ -52,7 +52,58 @@ double return_cell(const StrengthModel& strength, const Body<Dim>& body, double*
   return increment;
 }
 
+/// What is counted of a fragment that can fail.
+struct Failing {
+  bool fails_now = false;
+  int clamped_damage = 0;
+};
+
+/// return_cell() of matter that can fail.
+template <int Dim, class StrengthModel>
+Failing return_failing(const StrengthModel& strength, const Body<Dim>& body, double* q, std::size_t n,
+                       double v, double dt) {
+  FailingCell<Dim> cell(body, q, n, v);
+  if (cell.relieve()) return {};
+  const bool failed = cell.has_failed();
+  const double growth = return_cell<Dim>(strength, body, q, n, v, dt);
+  const int clamped = cell.grow(dt, growth);
+  return {!failed && cell.has_failed(), clamped};
+}
+
+/// Brings one fragment of porous matter back to its crush curve. @returns whether its distension was out of
+/// bounds.
+template <int Dim>
+bool crush_cell(const Porous& eos, double* q, std::size_t n, double volume) {
+  using C = Components<Dim>;
+  const double mass = q[C::rho * n], most = eos.alpha0 - 1;
+  if (!(mass > 0 && volume > 0)) return false;
+  double momentum2 = 0;
+  for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[(C::u + d) * n] * q[(C::u + d) * n];
+  double& crushed = q[C::crushed * n];
+  const double e = (q[C::energy * n] - 0.5 * momentum2 / mass) / mass, before = crushed / mass;
+  const double now = eos.crush(mass / volume, e, std::clamp(before, 0.0, most));
+  if (now != before) crushed = mass * now;
+  return before < -least_distension || before > most + least_distension;
+}
+
 }  // namespace
+
+template <int Dim>
+void return_fragment(const Body<Dim>& body, Contents<Dim>& contents, double volume, double dt) {
+  const Strength& strength = body.material.strength;
+  const bool fails = can_fail(body.material.damage);
+  if (has_strength(strength) || fails)
+    std::visit(
+        [&](const auto& model) {
+          if (fails)
+            return_failing<Dim>(model, body, contents.data(), 1, volume, dt);
+          else
+            return_cell<Dim>(model, body, contents.data(), 1, volume, dt);
+        },
+        strength);
+  if (const auto* eos = std::get_if<Porous>(&body.material.eos))
+    crush_cell<Dim>(*eos, contents.data(), 1, volume);
+}
 
 template <int Dim>
 void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt,
@@ -73,13 +124,9 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
             return_cell<Dim>(strength, body, q, n, b.volume[k], dt);
             return;
           }
-          FailingCell<Dim> cell(body, q, n, b.volume[k]);
-          if (cell.relieve()) return;
-          const bool failed = cell.has_failed();
-          const double growth = return_cell<Dim>(strength, body, q, n, b.volume[k], dt);
-          ledger.counters.clamped_damage += cell.grow(dt, growth);
-          if (!failed && cell.has_failed())
-            ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
+          const Failing after = return_failing<Dim>(strength, body, q, n, b.volume[k], dt);
+          ledger.counters.clamped_damage += after.clamped_damage;
+          if (after.fails_now) ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
         });
       },
       body.material.strength);
@@ -87,24 +134,14 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
 
 template <int Dim>
 void crush_pores(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
-  using C = Components<Dim>;
   const auto* eos = std::get_if<Porous>(&body.material.eos);
   if (!eos) return;
   BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
-  const double most = eos->alpha0 - 1;
   for_each(b.reach, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-    double* const q = b.contents.data() + k;
-    const double mass = q[C::rho * n], volume = b.volume[k];
-    if (!(mass > 0 && volume > 0)) return;
-    double momentum2 = 0;
-    for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[(C::u + d) * n] * q[(C::u + d) * n];
-    const double e = (q[C::energy * n] - 0.5 * momentum2 / mass) / mass, before = q[C::crushed * n] / mass;
-    if (before < -least_distension || before > most + least_distension) ++counters.clamped_distensions;
-    const double now = eos->crush(mass / volume, e, std::clamp(before, 0.0, most));
-    if (now != before) q[C::crushed * n] = mass * now;
+    if (crush_cell<Dim>(*eos, b.contents.data() + k, n, b.volume[k])) ++counters.clamped_distensions;
   });
 }
 
@@ -159,6 +196,7 @@ void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                      \
+  template void return_fragment<Dim>(const Body<Dim>&, Contents<Dim>&, double, double);              \
   template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double, BlockLedger<Dim>&); \
   template void crush_pores<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);                     \
   template std::int64_t clear_negative_strain<Dim>(const State<Dim>&, Body<Dim>&, int);              \

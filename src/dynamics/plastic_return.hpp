@@ -14,6 +14,10 @@ namespace recoil {
 template <int Dim>
 void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt, BlockLedger<Dim>& ledger);
 
+/// What return_to_yield() and crush_pores() do to the contents of one fragment of a volume, after dt [s].
+template <int Dim>
+void return_fragment(const Body<Dim>& body, Contents<Dim>& contents, double volume, double dt);
+
 /// Crushes pores: the states of porous matter in one block that are beyond the crush curve come back to it,
 /// at their density and energy (Porous::crush). Distensions out of bounds are set to them and counted
 /// (clamped-distensions).

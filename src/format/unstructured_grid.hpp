@@ -33,6 +33,7 @@ struct UnstructuredGrid {
   std::vector<std::int64_t> offsets{0};    ///< where each cell begins in connectivity; cells + 1 entries
   std::vector<unsigned char> types;        ///< a VtkCell per cell
   std::vector<NamedArray> cell_arrays;
+  std::vector<NamedArray> whole_arrays;  ///< of no cell, with as many rows as they need; any columns
 
   std::size_t cells() const { return types.size(); }
 };

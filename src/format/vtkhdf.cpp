@@ -20,6 +20,8 @@
 namespace recoil {
 namespace {
 
+constexpr const char* time_array = "TimeValue";  // of the field data: VTK knows it by this name
+
 /// Writes a table of `columns` per row (a plain list where columns = 1), in compressed pieces of about 1 MB.
 template <class T>
 void write_dataset(hid_t group, const std::string& name, const std::vector<T>& values, std::size_t columns,
@@ -42,6 +44,14 @@ void write_dataset(hid_t group, const std::string& name, const std::vector<T>& v
   if (rows > 0)
     Hdf5Handle::check(H5Dwrite(set, hdf5_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
                       "write a data set: is the disk full?");
+}
+
+void write_array(hid_t group, const NamedArray& array, int deflate_level) {
+  std::visit(
+      [&](const auto& values) {
+        write_dataset(group, array.name, values, static_cast<std::size_t>(array.components), deflate_level);
+      },
+      array.values);
 }
 
 /// The marks by which a reader knows the layout. The type must be a string of fixed length, without which
@@ -81,6 +91,12 @@ void write_grid(hid_t root, const UnstructuredGrid& grid, int level) {
 
 [[noreturn]] void not_ours(const std::filesystem::path& path, const std::string& why) {
   throw InputError(fmt::format("error: '{}' is not a field file of recoil: {}", path.string(), why));
+}
+
+Hdf5Handle open_group(hid_t parent, const char* name, const std::filesystem::path& path) {
+  const hid_t id = H5Gopen2(parent, name, H5P_DEFAULT);
+  if (id < 0) not_ours(path, fmt::format("it has no group '{}'", name));
+  return {id, H5Gclose, "open a group"};
 }
 
 Hdf5Handle open_for_reading(hid_t parent, const char* name, const std::filesystem::path& path) {
@@ -150,16 +166,11 @@ void write_vtkhdf(const std::filesystem::path& path, const UnstructuredGrid& gri
     write_grid(root, grid, deflate_level);
     const Hdf5Handle cells(H5Gcreate2(root, "CellData", H5P_DEFAULT, order, H5P_DEFAULT), H5Gclose,
                            "create a group");
-    for (const auto& array : grid.cell_arrays)
-      std::visit(
-          [&](const auto& values) {
-            write_dataset(cells, array.name, values, static_cast<std::size_t>(array.components),
-                          deflate_level);
-          },
-          array.values);
+    for (const auto& array : grid.cell_arrays) write_array(cells, array, deflate_level);
     const Hdf5Handle points = new_group(root, "PointData");
     const Hdf5Handle fields = new_group(root, "FieldData");
-    write_dataset(fields, "TimeValue", std::vector<double>{time_s}, 1, 0);
+    write_dataset(fields, time_array, std::vector<double>{time_s}, 1, 0);
+    for (const auto& array : grid.whole_arrays) write_array(fields, array, deflate_level);
   }
   write_atomically(path, file.bytes());
 }
@@ -169,18 +180,19 @@ VtkhdfFile read_vtkhdf(const std::filesystem::path& path) {
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) throw InputError(fmt::format("error: cannot read the field file '{}'", path.string()));
   const Hdf5Handle file(id, H5Fclose, "open a file");
-  const hid_t root_id = H5Gopen2(file, "VTKHDF", H5P_DEFAULT);
-  if (root_id < 0) not_ours(path, "it has no group 'VTKHDF'");
-  const Hdf5Handle root(root_id, H5Gclose, "open a group");
+  const Hdf5Handle root = open_group(file, "VTKHDF", path);
   VtkhdfFile result;
   result.grid.points = read_dataset<double>(root, "Points", path);
   result.grid.connectivity = read_dataset<std::int64_t>(root, "Connectivity", path);
   result.grid.offsets = read_dataset<std::int64_t>(root, "Offsets", path);
   result.grid.types = read_dataset<unsigned char>(root, "Types", path);
-  const auto time = read_dataset<double>(root, "FieldData/TimeValue", path);
+  const Hdf5Handle fields = open_group(root, "FieldData", path);
+  const auto time = read_dataset<double>(fields, time_array, path);
   if (time.size() != 1) not_ours(path, "it has no time");
   result.time_s = time.front();
-  const Hdf5Handle cells(H5Gopen2(root, "CellData", H5P_DEFAULT), H5Gclose, "open the cell data");
+  for (const auto& name : names_in(fields))
+    if (name != time_array) result.grid.whole_arrays.push_back(read_array(fields, name, path));
+  const Hdf5Handle cells = open_group(root, "CellData", path);
   for (const auto& name : names_in(cells)) result.grid.cell_arrays.push_back(read_array(cells, name, path));
   try {
     check_grid(result.grid);

@@ -19,6 +19,7 @@
 #include "gauge/contact_fields.hpp"
 #include "gauge/point_state.hpp"
 #include "parallel/archive.hpp"
+#include "record/rigid_places.hpp"
 
 namespace recoil {
 
@@ -217,6 +218,7 @@ UnstructuredGrid unpack_grid(const State<Dim>& state, const std::vector<parallel
   for (std::size_t m = 0; m < bodies; ++m)
     grid.cell_arrays.push_back(
         {"level_set_" + state.bodies[m].name + "_m", 1, std::move(columns[variables.size() + m])});
+  grid.whole_arrays = rigid_arrays(rigid_places(state));
   return grid;
 }
 

@@ -4,6 +4,7 @@
 Environment: RECOIL_PROGRAM, and PVPYTHON, the Python of ParaView (tools/with_paraview sets it and gives it a screen).
 """
 
+import math
 import os
 import pathlib
 import struct
@@ -50,6 +51,17 @@ PLANE = CASE.format(geometry="planar", ball="disc", up="y",
                     domain='x = ["-10 mm", "10 mm"]\ny = ["-15 mm", "5 mm"]',
                     plate='x = ["-10 mm", "10 mm"], y = ["-15 mm", "0 mm"]')  # fmt: skip
 
+# The plate is rigid, free and turning.
+FREE = SPACE.replace('material = "aluminium/6061-t6"\n', """rigid = true
+mass = "5 g"
+inertia = { x = "20 g*mm2", y = "20 g*mm2", z = "20 g*mm2" }
+centre-of-mass = { z = "-2 mm" }
+spin = { x = "50 rad/ms" }
+""").replace('boundary = { x = ["symmetry", "outflow"], y = ["symmetry", "outflow"] }', "").replace(
+    'x = ["0 mm", "10 mm"], y = ["0 mm", "10 mm"], z = ["-15 mm", "0 mm"]', 'x = ["2 mm", "8 mm"], y = ["2 mm", "8 mm"], z = ["-4 mm", "0 mm"]').replace(
+    'centre = { z = "1.1 mm" }', 'centre = { x = "5 mm", y = "5 mm", z = "1.1 mm" }').replace(
+    'centre-of-mass = { z', 'centre-of-mass = { x = "5 mm", y = "5 mm", z')  # fmt: skip
+
 ASK = """
 import sys
 sys.argv = ["open_in_paraview.py", "--picture", sys.argv[1]]
@@ -62,6 +74,9 @@ print("now", pv.GetAnimationScene().AnimationTime)
 print("shown", *shown)
 print("levels", *pv.FindSource("levels").CellData["level"].GetRange())
 print("bodies", *pv.FindSource("bodies").GetDataInformation().GetBounds())
+for (name, _), source in pv.GetSources().items():
+    if name.startswith("rigid "):
+        print(name.replace(" ", "-"), *source.GetDataInformation().GetBounds())
 print("cells", pv.FindSource("matter").GetDataInformation().GetNumberOfCells())
 """
 
@@ -126,6 +141,17 @@ class ParaView(unittest.TestCase):
 
     def test_space(self):
         self.expect_view(*self.opened(SPACE), ["bodies", "time"], 2)
+
+    def test_free_rigid_body(self):
+        """Turned by 50 rad/ms 0.4 us = 0.02 rad about x: its corners reach 3 cos + 2 sin mm from the middle along y."""
+        said, _ = self.opened(FREE)
+        self.assertEqual(said["shown"], ["bodies", "rigid", "plate", "time"])
+        bounds = [float(b) * 1e3 for b in said["rigid-plate"]]
+        turn = float(50e3 * 4e-7)
+        reach = 3 * math.cos(turn) + 2 * math.sin(turn)
+        self.assertAlmostEqual(bounds[3] - bounds[2], 2 * reach, delta=0.03)
+        self.assertAlmostEqual(bounds[1] - bounds[0], 6, delta=0.01)
+        self.assertAlmostEqual((bounds[2] + bounds[3]) / 2, 5, delta=0.01)
 
 
 if __name__ == "__main__":

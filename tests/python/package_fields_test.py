@@ -84,6 +84,27 @@ class RunFields(unittest.TestCase):
                     self.assertTrue((fields[f"level_set_{body}"][inside] < fields.sizes[inside]).all())
                     self.assertLess(fields[f"level_set_{body}"][inside].min(), 0)
 
+    def test_rigid_bodies(self):
+        """The ram of rigid_free, which slows down, is where its gauge says, as fast; other runs have no rigid body."""
+        self.assertEqual(self.runs["3d"].fields[0].rigid, {})
+        changes = {"mesh.finest": "0.5 mm", "time.end": "2 us", "output.fields": {"every": "1 us"}, "output.report": False}
+        run = recoil.run("rigid_free", self.folder / "ram", changes, threads=1)
+        gauge = run.gauges["ram"]
+        for fields in run.fields:
+            ram = fields.rigid["ram"]
+            record = gauge.iloc[numpy.abs(gauge.index - fields.time).argmin()]
+            self.assertAlmostEqual(ram.velocity[0], record["velocity.x"], delta=1e-5)
+            self.assertAlmostEqual(ram.centre[0] - ram.start[0], record["position.x"] - gauge["position.x"].iloc[0], delta=1e-6)
+            self.assertAlmostEqual(ram.now([-2])[0], ram.centre[0] - 2 - ram.start[0], delta=1e-12)
+            numpy.testing.assert_array_equal(ram.rotation, numpy.eye(3))
+        self.assertLess(ram.velocity[0], 19)
+
+    def test_points_of_a_rigid_body(self):
+        """Exact: 90 degrees about z take x to y."""
+        turn = numpy.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+        body = recoil.RigidBody(numpy.array([1, 0]), numpy.array([5, 5]), turn, numpy.zeros(2), numpy.zeros(3))
+        numpy.testing.assert_array_equal(body.now([[2, 0], [1, 3]]), [[5, 6], [2, 5]])
+
     def test_units(self):
         fields = self.runs["3d"].fields[0]
         wanted = {"pressure": "GPa", "velocity": "m/s", "density": "kg/m3", "temperature": "K", "plastic_strain": "1",

@@ -3,42 +3,22 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 
-const { chromium } = createRequire(`${process.env.RECOIL_PAGE_FOLDER}/package.json`)("playwright-core");
+import * as browsing from "./browser.mjs";
+import { FIELD, frameTimes, slide, waitShown } from "./browser.mjs";
+
 const facts = JSON.parse(readFileSync(process.argv.at(-1), "utf8"));
-const FIELD = "canvas[data-part=field]";
-const SWITCHES = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"];
-const QUIET = ["--disable-background-networking", "--disable-component-update", "--disable-sync"];
 
 let browser;
 before(async () => {
-  browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: [...SWITCHES, ...QUIET] });
+  browser = await browsing.launched();
 });
 after(() => browser.close());
 
-/** Opens a page; `complaints` gathers what must not be: errors, warnings, requests. */
-async function opened(file, options = {}) {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
-  const complaints = [];
-  page.on("console", (m) => complaints.push(`console ${m.type()}: ${m.text()}`));
-  page.on("pageerror", (e) => complaints.push(`error: ${e.message}`));
-  page.on("request", (r) => {
-    if (r.url() !== `file://${file}` && !r.url().startsWith("data:")) complaints.push(`request: ${r.url()}`);
-  });
-  await page.goto(`file://${file}`);
-  await page.waitForSelector(`${FIELD}[data-shown]`);
-  return { page, complaints };
-}
-
+const opened = (file, options) => browsing.opened(browser, file, options);
 const shown = (page) => page.locator(FIELD).getAttribute("data-shown");
 const picture = (page) => page.locator(FIELD).evaluate((c) => c.toDataURL());
-const waitShown = (page, text) => page.waitForSelector(`${FIELD}[data-shown="${text}"]`, { timeout: 10000 });
-
-async function slide(page, index) {
-  await page.getByRole("slider", { name: "Time" }).fill(String(index));
-}
 
 /** Moves the mouse over a place of the picture [mm]. */
 async function pointAt(page, x, y) {
@@ -54,17 +34,6 @@ async function pointAt(page, x, y) {
 async function readValue(page, field) {
   const text = await page.locator(`[data-field="${field}"]`).textContent({ timeout: 10000 });
   return Number(text.replace("\u2212", "-").replace(/[^-0-9.e].*$/, ""));
-}
-
-/** The least and largest time of several frames from its choice to its drawing [ms]. */
-async function frameTimes(page, indices) {
-  const times = [];
-  for (const k of indices) {
-    await slide(page, k);
-    await waitShown(page, `0 ${k} pressure`);
-    times.push(Number(await page.locator(FIELD).getAttribute("data-ms")));
-  }
-  return times.sort((a, b) => a - b);
 }
 
 for (const name of ["axisymmetric", "line", "space"])

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "problem/shape.hpp"
 #include "problem/start.hpp"
@@ -19,25 +20,33 @@ double outside_of(const SpaceBox& box, const Vec<3>& x) {
   return norm(away);
 }
 
-/// Its signed distance at a time [s].
-std::function<double(const Vec<3>&)> distance_then(const config::Body& body, const config::Domain& domain,
-                                                   double time) {
-  auto motion = prescribed_motion<3>(body, signed_distance<3>(body.shape, domain));
-  follow_history(motion, 0, time);
-  return [motion, pose = pose_after(motion, time)](const Vec<3>& x) { return distance_at(motion, pose, x); };
+/// A body as the case has it.
+RigidMotion<3> motion_of(const config::Body& body, const config::Domain& domain) {
+  return prescribed_motion<3>(body, signed_distance<3>(body.shape, domain));
+}
+
+std::function<double(const Vec<3>&)> distance_in(RigidMotion<3> motion, const RigidPose<3>& pose) {
+  return [motion = std::move(motion), pose](const Vec<3>& x) { return distance_at(motion, pose, x); };
 }
 
 }  // namespace
 
-bool moves_as_prescribed(const config::Body& body) { return body.rigid && body.mass == 0; }
-
 RigidScene::RigidScene(const Scene& scene, int bodies, const config::Case& c, double time,
-                       const std::vector<std::string>& shown)
+                       const std::vector<RigidPlace>& places, const std::vector<std::string>& shown)
     : scene_(scene), bodies_(bodies), box_(scene.box()) {
-  for (const config::Body& body : c.bodies) {
-    if (!moves_as_prescribed(body) || (!shown.empty() && std::ranges::find(shown, body.name) == shown.end()))
-      continue;
-    rigid_.push_back(distance_then(body, c.domain, time));
+  for (std::size_t m = 0; m < c.bodies.size(); ++m) {
+    const config::Body& body = c.bodies[m];
+    if (!body.rigid || (!shown.empty() && std::ranges::find(shown, body.name) == shown.end())) continue;
+    RigidMotion<3> motion = motion_of(body, c.domain);
+    const auto place = std::ranges::find(places, static_cast<int>(m), &RigidPlace::body);
+    if (place != places.end()) {
+      motion.start_centre = place->start_centre;
+      rigid_.push_back(distance_in(std::move(motion), place->pose));
+    } else if (body.mass == 0) {
+      follow_history(motion, 0, time);
+      const RigidPose<3> pose = pose_after(motion, time);
+      rigid_.push_back(distance_in(std::move(motion), pose));
+    }
   }
   if (!rigid_.empty())
     box_ = {config::first_components<3>(c.domain.lo), config::first_components<3>(c.domain.hi)};

@@ -6,19 +6,18 @@
 
 #include "config/case.hpp"
 #include "picture/space/scene.hpp"
+#include "record/rigid_places.hpp"
 
 namespace recoil::app {
 
-/// Whether the case alone says where the body is at any time: it is rigid and has no mass. Bodies with a mass
-/// move as their contacts have it, and a dump holds only their parts near deformable ones.
-bool moves_as_prescribed(const config::Body& body);
-
-/// The bodies of a dump with rigid bodies of the case, whose numbers follow; they have no field.
+/// The bodies of a dump with rigid bodies, whose numbers follow; they have no field.
 class RigidScene : public Scene {
  public:
-  /// @param bodies how many the scene has. @param shown names of bodies to show; none: all.
+  /// @param bodies how many the scene has. @param places of the rigid bodies, as the dump has them. Of a body
+  /// without one, in runs of older versions, the case says where it is at that time [s] if it moves as
+  /// prescribed; free ones are left out then. @param shown names of bodies to show; none: all.
   RigidScene(const Scene& scene, int bodies, const config::Case& c, double time,
-             const std::vector<std::string>& shown);
+             const std::vector<RigidPlace>& places, const std::vector<std::string>& shown);
 
   bool empty() const { return rigid_.empty(); }
   SpaceBox box() const override { return box_; }

@@ -92,21 +92,24 @@ SpacePlotter::SpacePlotter(const PlotOptions& o, const config::Case& c)
   if (!o.cut.empty()) cut_ = read_cut(o.cut, view_);
 }
 
-FieldScene SpacePlotter::scene_of(const ChosenDump& dump) const {
-  // Rigid bodies come from the case.
+SpacePlotter::Frame SpacePlotter::frame_of(const ChosenDump& dump) const {
+  // Rigid bodies have no field.
   std::vector<std::string> bodies;
   for (const std::string& name : options_.bodies) {
     const auto b = std::ranges::find(case_.bodies, name, &config::Body::name);
-    if (b == case_.bodies.end() || !moves_as_prescribed(*b)) bodies.push_back(name);
+    if (b == case_.bodies.end() || !b->rigid) bodies.push_back(name);
   }
   if (bodies.empty() && !options_.bodies.empty())
     throw InputError("--body names rigid bodies only, which have no field\n   = help: add a deformable one");
-  return {read_vtkhdf(dump.path), options_.what.front(), run_units(case_.domain.geometry), bodies};
+  const VtkhdfFile file = read_vtkhdf(dump.path);
+  return {{file, options_.what.front(), run_units(case_.domain.geometry), bodies},
+          rigid_places_in(file.grid),
+          file.time_s};
 }
 
 template <class F>
-auto SpacePlotter::completed(const FieldScene& field, double time, F&& f) const {
-  const RigidScene scene(field, field.bodies(), case_, time, options_.bodies);
+auto SpacePlotter::completed(const Frame& frame, F&& f) const {
+  const RigidScene scene(frame.field, frame.field.bodies(), case_, frame.time, frame.rigid, options_.bodies);
   if (!options_.mirror) return f(static_cast<const Scene&>(scene));
   auto [low, high] = symmetric_faces(case_.domain);
   const SpaceBox box = scene.box();  // matter that has left a plane of symmetry is not mirrored there
@@ -118,8 +121,8 @@ auto SpacePlotter::completed(const FieldScene& field, double time, F&& f) const 
   return f(static_cast<const Scene&>(MirroredScene(scene, low, high)));
 }
 
-ViewWindow SpacePlotter::seen_of(const FieldScene& scene, double time) const {
-  const auto seen = completed(scene, time, [&](const Scene& s) { return window_of(s, view_, cut_); });
+ViewWindow SpacePlotter::seen_of(const Frame& frame) const {
+  const auto seen = completed(frame, [&](const Scene& s) { return window_of(s, view_, cut_); });
   if (!seen)
     throw InputError(fmt::format("nothing is left of the bodies{}",
                                  options_.cut.empty() ? "" : " behind --cut " + options_.cut));
@@ -140,19 +143,19 @@ SpacePicture SpacePlotter::empty_picture(const ChosenDump& dump) const {
 void SpacePlotter::hold_frame(const std::vector<ChosenDump>& dumps) {
   window_.reset();
   for (const ChosenDump& dump : dumps) {
-    const ViewWindow own = seen_of(scene_of(dump), dump.time_s);
+    const ViewWindow own = seen_of(frame_of(dump));
     window_ = window_ ? joined(*window_, own) : own;
   }
   Range values;
   for (const ChosenDump& dump : dumps) {
-    const FieldScene scene = scene_of(dump);
-    for (const Category& c : scene.categories())
+    const Frame frame = frame_of(dump);
+    for (const Category& c : frame.field.categories())
       if (std::ranges::find(categories_, c.value, &Category::value) == categories_.end())
         categories_.push_back(c);
     SpacePicture p = empty_picture(dump);
     p.window = *window_;
     p.max_width = 400, p.max_height = 400;  // few rays tell the range
-    const SpaceRays rays = completed(scene, dump.time_s, [&](const Scene& s) { return rays_of(p, s); });
+    const SpaceRays rays = completed(frame, [&](const Scene& s) { return rays_of(p, s); });
     for (const double v : rays.values()) values.include(v, options_.log);
   }
   std::ranges::sort(categories_, {}, &Category::value);
@@ -160,15 +163,16 @@ void SpacePlotter::hold_frame(const std::vector<ChosenDump>& dumps) {
 }
 
 Canvas SpacePlotter::draw(const ChosenDump& dump) const {
-  const FieldScene scene = scene_of(dump);
+  const Frame frame = frame_of(dump);
   SpacePicture p = empty_picture(dump);
-  p.window = window_ ? *window_ : seen_of(scene, dump.time_s);
-  p.label = scene.label();
-  const SpaceRays rays = completed(scene, dump.time_s, [&](const Scene& s) { return rays_of(p, s); });
+  p.window = window_ ? *window_ : seen_of(frame);
+  p.label = frame.field.label();
+  const SpaceRays rays = completed(frame, [&](const Scene& s) { return rays_of(p, s); });
   const std::vector<double> values = rays.values();
-  const std::vector<Category>& names = categories_.empty() ? scene.categories() : categories_;
+  const std::vector<Category>& names = categories_.empty() ? frame.field.categories() : categories_;
   return space_picture(
-      p, rays, colours_of(values, chosen_colours(values, p.label, names, scene.signed_values(), options_)));
+      p, rays,
+      colours_of(values, chosen_colours(values, p.label, names, frame.field.signed_values(), options_)));
 }
 
 }  // namespace recoil::app

@@ -11,6 +11,7 @@
 #include "picture/field_plane.hpp"
 #include "picture/space/field_scene.hpp"
 #include "picture/space/space_picture.hpp"
+#include "record/rigid_places.hpp"
 
 namespace recoil::app {
 
@@ -41,11 +42,18 @@ class SpacePlotter {
 
  private:
   SpacePicture empty_picture(const ChosenDump& dump) const;
-  FieldScene scene_of(const ChosenDump& dump) const;
-  /// Calls f(scene) with the rigid bodies added to the field [time in s], and with --mirror.
+  /// What a dump holds: the deformable bodies with the field, and where the rigid ones are.
+  struct Frame {
+    FieldScene field;
+    std::vector<RigidPlace> rigid;
+    double time;  // s
+  };
+
+  Frame frame_of(const ChosenDump& dump) const;
+  /// Calls f(scene) with the rigid bodies added to the field, and with --mirror.
   template <class F>
-  auto completed(const FieldScene& field, double time, F&& f) const;
-  ViewWindow seen_of(const FieldScene& scene, double time) const;
+  auto completed(const Frame& frame, F&& f) const;
+  ViewWindow seen_of(const Frame& frame) const;
 
   PlotOptions options_;
   const config::Case& case_;

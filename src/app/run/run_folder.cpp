@@ -5,7 +5,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -13,8 +15,11 @@
 #include "app/data_folder.hpp"
 #include "app/run/checkpoint_folder.hpp"
 #include "app/run/resolved_case.hpp"
+#include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
+#include "picture/space/surface_mesh.hpp"
+#include "problem/shape.hpp"
 #include "record/quantities.hpp"
 
 namespace recoil::app {
@@ -65,6 +70,22 @@ void copy_file_into(const fs::path& folder, const fs::path& file) {
 void copy_paraview_script(const fs::path& folder) {
   const fs::path script = templates_folder() / paraview_script;
   if (fs::exists(script)) copy_file_into(folder, script);
+}
+
+/// Surfaces of the rigid bodies at the start, which dumps have no cells of, for ParaView: fields/rigid_N.stl,
+/// N their number in the dumps. Some 100 000 triangles at most for each.
+void write_rigid_surfaces(const fs::path& folder, const config::Case& c) {
+  if (c.domain.geometry != config::Geometry::space) return;
+  const SpaceBox box{config::first_components<3>(c.domain.lo), config::first_components<3>(c.domain.hi)};
+  const Vec<3> extent = box.hi - box.lo;
+  const double width = std::max(c.mesh.finest, std::max({extent[0], extent[1], extent[2]}) / 128);
+  for (std::size_t m = 0; m < c.bodies.size(); ++m) {
+    if (!c.bodies[m].rigid) continue;
+    fs::create_directories(folder / "fields");
+    const auto surface = surface_mesh(signed_distance<3>(c.bodies[m].shape, c.domain), box, width);
+    write_atomically(folder / "fields" / fmt::format("rigid_{}.stl", m),
+                     stl_bytes(surface, c.bodies[m].name));
+  }
 }
 
 void copy_files(const fs::path& folder, const LoadedCase& loaded) {
@@ -131,6 +152,7 @@ void prepare_run_folder(const fs::path& folder, const LoadedCase& loaded, bool f
     write_atomically(folder / "case.resolved.toml", resolved_text(loaded));
     copy_files(folder, loaded);
     copy_paraview_script(folder);
+    write_rigid_surfaces(folder, loaded.contents);
   } catch (const fs::filesystem_error& e) {
     throw EnvironmentError(fmt::format("the folder {} cannot be used: {}", folder.string(), e.what()));
   }

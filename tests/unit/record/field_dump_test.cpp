@@ -13,6 +13,7 @@
 #include "../support/small_case.hpp"
 #include "core/error.hpp"
 #include "picture/field_plane.hpp"
+#include "record/rigid_places.hpp"
 
 namespace recoil {
 namespace {
@@ -123,9 +124,45 @@ TEST(FieldDump, IsReadBackAsAPlane) {
   EXPECT_THROW(field_plane(file, "stress", units), InputError) << "which component?";
 }
 
+TEST(FieldDump, HoldsWhereRigidBodiesAre) {
+  const ScratchFolder folder;
+  State<2> state = state_of<2>(case_from(disc));
+  EXPECT_EQ(rigid_places_in(own_fields(state, {})).size(), 1U);
+  RigidMotion<2>& wall = *state.bodies[1].rigid;
+  EXPECT_EQ(rigid_places(state).front().pose.centre[1], wall.start_centre[1]);
+  set_moving(wall, Vec<2>{{3, -4}}, Vec<3>{{0, 0, 1e5}});
+  const Vec<2> start = wall.start_centre;
+  move_rigid(wall, 5e-6, {}, {}, 0);
+  std::filesystem::create_directories(folder / "fields");
+  FieldDump<2> dump(folder / "fields", "disc", {"velocity"});
+  dump.write(state, parallel::World{});
+
+  const auto places = rigid_places_in(read_vtkhdf(choose_dump(folder.path(), std::nullopt).path).grid);
+  ASSERT_EQ(places.size(), 1U);
+  const RigidPlace& place = places.front();
+  EXPECT_EQ(place.body, 1);
+  EXPECT_EQ(place.start_centre[0], start[0]);
+  EXPECT_NEAR(place.pose.centre[0], start[0] + 15e-6, 1e-15);
+  EXPECT_NEAR(place.pose.centre[1], start[1] - 20e-6, 1e-15);
+  EXPECT_NEAR(place.pose.turn[0][0], std::cos(0.5), 1e-15);
+  EXPECT_NEAR(place.pose.turn[0][1], -std::sin(0.5), 1e-15);
+  EXPECT_NEAR(place.pose.turn[1][0], std::sin(0.5), 1e-15);
+  EXPECT_EQ(place.pose.turn[2][2], 1);
+  EXPECT_EQ(place.velocity[1], -4);
+  EXPECT_EQ(place.spin[2], 1e5);
+}
+
+TEST(FieldDump, DamagedPlacesOfRigidBodiesAreAnError) {
+  UnstructuredGrid grid = own_fields(state_of<2>(case_from(disc)), {});
+  grid.whole_arrays.pop_back();
+  EXPECT_THROW(rigid_places_in(grid), InputError);
+  grid.whole_arrays.clear();
+  EXPECT_TRUE(rigid_places_in(grid).empty()) << "a dump of an older version";
+}
+
 TEST(FieldDump, KnowsItsVariables) {
   try {
-    FieldDump<1>("nowhere", "x", {"presure"});
+    const FieldDump<1> dump("nowhere", "x", {"presure"});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean 'pressure'?"), std::string::npos) << error.what();

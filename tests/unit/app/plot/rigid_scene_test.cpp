@@ -65,7 +65,7 @@ class Block : public Scene {
 TEST(RigidScene, BodiesAreWhereTheCaseHasThemThen) {
   const config::Case c = case_from(three);
   const Block block;
-  const RigidScene scene(block, 1, c, 10e-6, {});
+  const RigidScene scene(block, 1, c, 10e-6, {}, {});
   ASSERT_FALSE(scene.empty());
   EXPECT_EQ(scene.box().lo[0], -4e-3) << "rigid bodies are known in all of the domain";
   // Exact: the ball has moved by 1 mm along z, the piston by 40 m/s * 10 us / 2 = 0.2 mm.
@@ -79,11 +79,29 @@ TEST(RigidScene, BodiesAreWhereTheCaseHasThemThen) {
   EXPECT_TRUE(std::isnan(scene.value(Vec<3>{{-3e-3, 0, 1e-3}}, 1)));
 }
 
+TEST(RigidScene, FreeBodiesAreWhereTheDumpHasThem) {
+  config::Case c = case_from(three);
+  c.bodies[1].mass = 1, c.bodies[2].mass = 1;
+  const Block block;
+  EXPECT_TRUE(RigidScene(block, 1, c, 10e-6, {}, {}).empty()) << "the case does not say where they are";
+  // The piston, 2 mm x 2 mm x 2 mm about z = -3 mm, turned by 45 degrees about x, its centre moved by 3 mm
+  // along x: the edge that points to z is sqrt(2) mm above the centre.
+  const double s = std::sqrt(0.5);
+  const Rotation turn{Vec<3>{{1, 0, 0}}, Vec<3>{{0, s, -s}}, Vec<3>{{0, s, s}}};
+  const RigidPlace piston{2, {{0, 0, -3e-3}}, {{{3e-3, 0, -3e-3}}, turn}, {}, {}};
+  const RigidScene scene(block, 1, c, 10e-6, {piston}, {"piston"});
+  ASSERT_FALSE(scene.empty());
+  const double top = -3e-3 + std::sqrt(2) * 1e-3;
+  EXPECT_NEAR(scene.distance(Vec<3>{{3e-3, 0, top - 1e-4}}), -1e-4 * s, 1e-12);
+  EXPECT_NEAR(scene.distance(Vec<3>{{3e-3, -1.5e-3 * s, -3e-3 + 1.5e-3 * s}}), 0.5e-3, 1e-12);
+  EXPECT_EQ(scene.body(Vec<3>{{3e-3, 0, -3e-3}}), 1) << "the first behind the bodies with a field";
+}
+
 TEST(RigidScene, ShowsThoseThatAreAskedFor) {
   const config::Case c = case_from(three);
   const Block block;
-  EXPECT_TRUE(RigidScene(block, 1, c, 0, {"block"}).empty());
-  const RigidScene ball(block, 1, c, 0, {"block", "ball"});
+  EXPECT_TRUE(RigidScene(block, 1, c, 0, {}, {"block"}).empty());
+  const RigidScene ball(block, 1, c, 0, {}, {"block", "ball"});
   EXPECT_LT(ball.distance(Vec<3>{{-3e-3, 0, 0}}), 0);
   EXPECT_GT(ball.distance(Vec<3>{{0, 0, -3e-3}}), 0);
 }
