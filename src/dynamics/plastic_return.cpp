@@ -75,14 +75,14 @@ Failing return_failing(const StrengthModel& strength, const Body<Dim>& body, dou
 template <int Dim>
 bool crush_cell(const Porous& eos, double* q, std::size_t n, double volume) {
   using C = Components<Dim>;
-  const double mass = q[C::rho * n], most = eos.alpha0 - 1;
+  const auto at = [&](int c) -> double& { return q[static_cast<std::size_t>(c) * n]; };
+  const double mass = at(C::rho), most = eos.alpha0 - 1;
   if (!(mass > 0 && volume > 0)) return false;
   double momentum2 = 0;
-  for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[(C::u + d) * n] * q[(C::u + d) * n];
-  double& crushed = q[C::crushed * n];
-  const double e = (q[C::energy * n] - 0.5 * momentum2 / mass) / mass, before = crushed / mass;
+  for (int d = 0; d < Dim; ++d) momentum2 += at(C::u + d) * at(C::u + d);
+  const double e = (at(C::energy) - 0.5 * momentum2 / mass) / mass, before = at(C::crushed) / mass;
   const double now = eos.crush(mass / volume, e, std::clamp(before, 0.0, most));
-  if (now != before) crushed = mass * now;
+  if (now != before) at(C::crushed) = mass * now;
   return before < -least_distension || before > most + least_distension;
 }
 
