@@ -49,7 +49,7 @@ demo: build
 	$(STEP) "Draw the velocity of the target's rear surface" \
 	  $(RELEASE)/recoil plot $(DEMO) gauge.rear $(DEMO)/rear.png
 	@echo
-	@echo "report    $(DEMO)/report.html"
+	@test ! -f $(DEMO)/report.html || echo "report    $(DEMO)/report.html"  # none where npm could not build the page
 	@echo "results   $(DEMO)/"
 	@echo "picture   $(DEMO)/rear.png"
 	@echo "program   $(RELEASE)/recoil --help"

@@ -80,6 +80,23 @@ export interface Fields {
   planes: Plane[];
 }
 
+/** The surfaces of the bodies in space: points in parts of a spacing from a corner, faces of four of them. */
+export interface SurfaceFrame {
+  t: number; // us
+  spacing: number; // mm
+  corner: [number, number, number]; // mm
+  points: Block; // all x, all y, all z
+  faces: Block; // all first points, all second ones, ...
+  values: [Block, number, number][]; // of the fields at the points, as those of a Frame
+}
+
+export interface Surfaces {
+  fields: string[];
+  point_parts: number;
+  box: [number[], number[]]; // around all frames, mm
+  frames: SurfaceFrame[];
+}
+
 export interface Expectation {
   value: number | boolean | null;
   reference: number | boolean | null;
@@ -171,6 +188,7 @@ export interface Run {
   materials: Material[];
   sources: Source[];
   fields: Fields | null;
+  surfaces: Surfaces | null;
 }
 
 export interface Report {

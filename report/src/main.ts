@@ -5,6 +5,7 @@ import { type Report, type Run, readReport } from "./data";
 import { chooser, h, section } from "./dom";
 import { type Chart, gaugeCharts, historyChart } from "./gauges";
 import { budgets, caseText, chip, comparison, events, fragments, materials, sources, verdict } from "./sections";
+import { SolidView } from "./solid_view";
 import "./style.css";
 import { Viewer } from "./viewer";
 
@@ -27,6 +28,7 @@ function themeButton(): HTMLElement {
 /** All parts that show one run; gauges of the others are drawn with its own. */
 function partsOf(run: Run, others: Run[]): HTMLElement[] {
   const viewer = run.fields ? new Viewer(run) : null;
+  const solid = run.fields && run.surfaces ? new SolidView(run.fields, run.surfaces) : null;
   const charts: Chart[] = [];
   const show = viewer
     ? (time: number) => {
@@ -43,6 +45,7 @@ function partsOf(run: Run, others: Run[]): HTMLElement[] {
       "Fields",
       viewer?.element ?? h("p", { class: "note" }, "This run has written no fields: see [output.fields] of the case."),
     ),
+    solid ? section("solid", "In space", solid.element) : null,
     run.gauges.length > 0 ? section("gauges", "Gauges", gaugeCharts(run, others, charts)) : null,
     section("events", "Events", events(run.events, show)),
     pieces ? section("fragments", "Fragments", pieces) : null,
@@ -51,6 +54,7 @@ function partsOf(run: Run, others: Run[]): HTMLElement[] {
     section("case", "Case", caseText(run)),
   ].filter((part) => part !== null);
   viewer?.onTime((time) => charts.forEach((chart) => chart.setNow(time)));
+  if (solid) viewer?.onTime((time) => solid.showTime(time));
   if (viewer) requestAnimationFrame(() => viewer.show(0));
   return parts;
 }

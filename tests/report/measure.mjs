@@ -25,5 +25,6 @@ for (const file of process.argv.slice(2).map((name) => resolve(name))) {
   const size = (statSync(file).size / 1e6).toFixed(2);
   const [first, ...later] = loads;
   console.log(`${file}: ${size} MB, first picture ${first.toFixed(0)} ms (${middle(later).toFixed(0)} ms again), a frame of`);
-  console.log(`  ${frames.length}: ${middle(frames).toFixed(1)} ms in the middle, ${Math.max(...frames).toFixed(1)} ms at most`);
+  if (frames.length === 0) console.log("  none: there is one frame only");
+  else console.log(`  ${frames.length}: ${middle(frames).toFixed(1)} ms in the middle, ${Math.max(...frames).toFixed(1)} ms at most`);
 }

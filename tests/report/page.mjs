@@ -146,6 +146,50 @@ test("slices of a solid", async () => {
   await page.close();
 });
 
+const SOLID = "canvas[data-part=solid]";
+const waitSolid = (page, text) => page.waitForSelector(`${SOLID}[data-shown="${text}"]`, { timeout: 10000 });
+const solid = (page) => page.locator(SOLID).evaluate((c) => c.toDataURL());
+
+test("bodies in space turn, in any field, at the time of the fields", async () => {
+  const { page, complaints } = await opened(facts.space.page);
+  await waitSolid(page, "0 plastic-strain -55 24");
+  const first = await solid(page);
+  await page.getByRole("slider", { name: "Turn" }).fill("20");
+  await waitSolid(page, "0 plastic-strain 20 24");
+  assert.notEqual(await solid(page), first);
+  await page.locator(SOLID).focus();
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("ArrowLeft");
+  await waitSolid(page, "0 plastic-strain 15 29");
+  await page.getByRole("combobox", { name: "Coloured by" }).selectOption("velocity");
+  await slide(page, facts.space.frame);
+  await waitSolid(page, `${facts.space.frame} velocity 15 29`);
+  assert.match(await page.locator(SOLID).getAttribute("aria-label"), /velocity .* 15 degrees, 29 degrees above/);
+  const box = await page.locator(SOLID).boundingBox();
+  await page.mouse.move(box.x + 200, box.y + 100);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 220, box.y + 110);
+  await page.mouse.up();
+  await waitSolid(page, `${facts.space.frame} velocity 5 34`);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("bodies in space have their size from every side", async () => {
+  const { page } = await opened(facts.space.page);
+  for (const { turn, tilt, area, tolerance } of facts.space.areas) {
+    await page.getByRole("slider", { name: "Turn" }).fill(String(turn));
+    await page.getByRole("slider", { name: "Tilt" }).fill(String(tilt));
+    await waitSolid(page, `0 plastic-strain ${turn} ${tilt}`);
+    const covered = await page.locator(SOLID).evaluate((canvas) => {
+      const { data } = canvas.getContext("2d").getImageData(60, 0, canvas.width - 180, canvas.height);
+      return data.filter((value, k) => k % 4 === 3 && value === 255).length / Number(canvas.dataset.perMm) ** 2;
+    });
+    assert.ok(Math.abs(covered - area) < tolerance, `${turn} ${tilt}: ${covered} mm2, not ${area}`);
+  }
+  await page.close();
+});
+
 test("two runs on one page", async () => {
   const { page, complaints } = await opened(facts.both.page);
   for (const name of facts.both.names)

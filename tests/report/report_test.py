@@ -5,6 +5,7 @@ Environment: see tests/cli/program.py; RECOIL_PAGE_FOLDER, the folder with the n
 """
 
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -101,6 +102,11 @@ class Report(Program):
             "line": self.facts_of(line, 8, STATE | {"velocity": ("velocity_m_per_s", 0)}, words=["6061-t6"]),
             "space": self.facts_of(space, 3, STATE | {"velocity.z": ("velocity_m_per_s", 2)}, across=1, cell=2.0),
         }  # fmt: skip
+        # A quarter of a ball of radius 5 mm, which is 2.5 cells, on one of a plate, 20 x 20 x 10 mm: from above and from the
+        # side outlines of 80 mm, which are to be right to a twentieth of a cell in the mean.
+        above, side = {"area": 400, "tolerance": 0.05 * 2 * 80}, {"area": 200 + math.pi * 25 / 2, "tolerance": 0.05 * 2 * 80}
+        facts["space"]["areas"] = [{"turn": 0, "tilt": 90} | above, {"turn": -45, "tilt": -90} | above,
+                                   {"turn": 0, "tilt": 0} | side, {"turn": 90, "tilt": 0} | side]  # fmt: skip
         both, small = self.folder / "both.html", self.folder / "small.html"
         self.expect(recoil("report", line, other, "-o", both), 0, "both.html")
         said = recoil("report", plane, "-o", small, "--max-mb", "0.2")

@@ -12,6 +12,7 @@
 #include "app/report/page_bundle.hpp"
 #include "app/report/page_data.hpp"
 #include "app/report/run_data.hpp"
+#include "app/report/surface_frames.hpp"
 #include "core/build_info.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
@@ -82,7 +83,9 @@ WrittenReport write_report(const fs::path& file, const std::vector<fs::path>& ru
     const double taken = static_cast<double>(text_in_page(one).size() + blocks.text().size());
     const double left = std::max(
         0.0, most * static_cast<double>(j["runs"].size() + 1) / static_cast<double>(runs.size()) - taken);
-    const FieldFrames fields(run, loaded.contents, left);
+    const SurfaceFrames surfaces(run, loaded.contents, left / 3);
+    one["surfaces"] = surfaces.write(blocks);
+    const FieldFrames fields(run, loaded.contents, left - static_cast<double>(surfaces.size()));
     one["fields"] = fields.write(blocks);
     if (!fields.omission().empty())
       written.omissions.push_back(fmt::format("{}: {} shown", run.string(), fields.omission()));
