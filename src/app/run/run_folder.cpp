@@ -18,7 +18,7 @@
 #include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
-#include "picture/space/surface_mesh.hpp"
+#include "picture/space/surface_net.hpp"
 #include "problem/shape.hpp"
 #include "record/quantities.hpp"
 
@@ -82,7 +82,7 @@ void write_rigid_surfaces(const fs::path& folder, const config::Case& c) {
   for (std::size_t m = 0; m < c.bodies.size(); ++m) {
     if (!c.bodies[m].rigid) continue;
     fs::create_directories(folder / "fields");
-    const auto surface = surface_mesh(signed_distance<3>(c.bodies[m].shape, c.domain), box, width);
+    const auto surface = surface_net(signed_distance<3>(c.bodies[m].shape, c.domain), box, width);
     write_atomically(folder / "fields" / fmt::format("rigid_{}.stl", m),
                      stl_bytes(surface, c.bodies[m].name));
   }

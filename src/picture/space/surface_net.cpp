@@ -12,17 +12,23 @@ namespace {
 
 using Place = std::array<int, 3>;
 
-/// Signed distances at the points of a lattice, of which the outermost lie outside of the scene's box.
+/// Signed distances at the points of a lattice (far from the surface their signs only), of which the
+/// outermost lie outside of the box.
 class Lattice {
  public:
-  Lattice(const Scene& scene, double spacing) : box_(scene.box()), spacing_(spacing) {
+  Lattice(const std::function<double(const Vec<3>&)>& distance, const SpaceBox& box, double spacing)
+      : box_(box), spacing_(spacing) {
     for (std::size_t d = 0; d < 3; ++d) {
       const int k = static_cast<int>(d);
       count_[d] = 1 + static_cast<int>(std::ceil((box_.hi[k] - box_.lo[k]) / spacing + 0.5));
     }
     distance_.resize(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
                      static_cast<std::size_t>(count_[2]));
-    each_place(count_, [&](const Place& p) { distance_[index(p)] = distance_in_box(scene, point(p)); });
+    const Place bricks{(count_[0] + brick - 1) / brick, (count_[1] + brick - 1) / brick,
+                       (count_[2] + brick - 1) / brick};
+    each_place(bricks, [&](const Place& b) {
+      fill_brick(distance, {b[0] * brick, b[1] * brick, b[2] * brick});
+    });
   }
 
   template <class F>
@@ -50,15 +56,29 @@ class Lattice {
   }
 
  private:
-  /// Of what the box holds of the bodies.
-  double distance_in_box(const Scene& scene, const Vec<3>& x) const {
+  static constexpr int brick = 4;  // points along each axis that are looked at together
+
+  /// Points far from the surface get the distance of the middle of their brick, whose sign they have.
+  void fill_brick(const std::function<double(const Vec<3>&)>& distance, const Place& first) {
+    const double half = 0.5 * (brick - 1) * spacing_;
+    const double middle = distance_in_box(distance, point(first) + Vec<3>{{half, half, half}});
+    const bool far = std::abs(middle) > 1.5 * (std::sqrt(3.0) * half + spacing_);
+    Place size;
+    for (std::size_t d = 0; d < 3; ++d) size[d] = std::min(brick, count_[d] - first[d]);
+    each_place(size, [&](const Place& p) {
+      const Place at{first[0] + p[0], first[1] + p[1], first[2] + p[2]};
+      distance_[index(at)] = far ? middle : distance_in_box(distance, point(at));
+    });
+  }
+  /// Of what the box holds.
+  double distance_in_box(const std::function<double(const Vec<3>&)>& distance, const Vec<3>& x) const {
     Vec<3> inside = x;
     double beyond = -1e300;
     for (int d = 0; d < 3; ++d) {
       inside[d] = std::clamp(x[d], box_.lo[d], box_.hi[d]);
       beyond = std::max({beyond, box_.lo[d] - x[d], x[d] - box_.hi[d]});
     }
-    return std::max(scene.distance(inside), beyond);
+    return std::max(distance(inside), beyond);
   }
 
   SpaceBox box_;
@@ -101,10 +121,16 @@ std::vector<std::int32_t> place_points(const Lattice& lattice, std::vector<Vec<3
   return number;
 }
 
+template <class T>
+void append(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
 }  // namespace
 
-SurfaceNet surface_net(const Scene& scene, double spacing) {
-  const Lattice lattice(scene, spacing);
+SurfaceNet surface_net(const std::function<double(const Vec<3>&)>& distance, const SpaceBox& box,
+                       double spacing) {
+  const Lattice lattice(distance, box, spacing);
   SurfaceNet net;
   const std::vector<std::int32_t> number = place_points(lattice, net.points);
   Lattice::each_place(lattice.cells(), [&](const Place& p) {
@@ -120,6 +146,23 @@ SurfaceNet surface_net(const Scene& scene, double spacing) {
     }
   });
   return net;
+}
+
+std::string stl_bytes(const SurfaceNet& net, const std::string& name) {
+  std::string bytes = name.substr(0, 79);
+  bytes.resize(80, ' ');
+  append(bytes, static_cast<std::uint32_t>(2 * net.faces.size()));
+  const auto triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+    const auto at = [&](std::int32_t n) { return net.points[static_cast<std::size_t>(n)]; };
+    for (const Vec<3>& v : {unit(cross(at(b) - at(a), at(c) - at(a))), at(a), at(b), at(c)})
+      for (int d = 0; d < 3; ++d) append(bytes, static_cast<float>(v[d]));
+    append(bytes, std::uint16_t{0});
+  };
+  for (const auto& face : net.faces) {
+    triangle(face[0], face[1], face[2]);
+    triangle(face[0], face[2], face[3]);
+  }
+  return bytes;
 }
 
 std::vector<Vec<3>> points_below(const SurfaceNet& net, double depth) {

@@ -6,10 +6,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <map>
 #include <numbers>
+#include <string>
 #include <utility>
 
+#include "../support/scratch_folder.hpp"
+#include "config/shape/stl/stl_file.hpp"
 #include "core/turn.hpp"
 #include "core/vec.hpp"
 
@@ -90,6 +94,16 @@ TEST(SurfaceNet, PointsBelowLieInTheMatter) {
   const auto below = points_below(net, 0.1);
   ASSERT_EQ(below.size(), net.points.size());
   for (std::size_t n = 0; n < below.size(); ++n) EXPECT_NEAR(norm(below[n]), norm(net.points[n]) - 0.1, 2e-3);
+}
+
+TEST(SurfaceNet, StlIsReadBack) {
+  const ScratchFolder folder;
+  const SurfaceNet net = surface_net(Ball({{{-2, -2, -2}}, {{2, 2, 2}}}), 0.2);
+  const std::string bytes = stl_bytes(net, "ball");
+  std::ofstream(folder / "ball.stl", std::ios::binary) << bytes;
+  EXPECT_EQ(bytes.size(), 84 + 100 * net.faces.size());
+  const config::StlFile file = config::read_stl(folder / "ball.stl");
+  EXPECT_EQ(file.problem, "") << "closed, and outside is outside";
 }
 
 }  // namespace
