@@ -84,7 +84,7 @@ class Sweep(Program):
 
     def test_a_run_that_fails_is_in_the_table(self):
         said = self.sweep("--set", "time.fixed-dt=200ns,5ns", "--quantity", "run.steps")
-        self.expect(said, 3, "failed", ".log", "| - |")
+        self.expect(said, 3, "failed", "error: ", ".log", "| - |")
         self.assertEqual([row["verdict"] for row in table(self.out / "sweep.csv")], ["failed", "valid"])
 
     def test_mistakes_come_before_the_first_run(self):

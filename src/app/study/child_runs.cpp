@@ -7,6 +7,7 @@
 #include <exception>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -94,8 +95,15 @@ ChildResult run_or_reuse(const ChildRun& run) {
     return {code, false, "failed", fmt::format("the run was ended from outside, see {}", log.string())};
   }
   if (has_results(code)) return told_by(summary);
-  return {code, false, code == exit_stopped ? "stopped" : "failed",
-          fmt::format("exit code {}, see {}", code, log.string())};
+  return {code, false, code == exit_stopped ? "stopped" : "failed", why_no_results(code, log)};
+}
+
+std::string why_no_results(int code, const fs::path& log) {
+  std::istringstream lines(text_of(log));
+  std::string first;
+  for (std::string line; first.empty() && std::getline(lines, line);)
+    if (line.find("error: ") != std::string::npos) first = ": " + line;
+  return fmt::format("exit code {}{}, see {}", code, first, log.string());
 }
 
 void check_named(const std::vector<std::string>& quantities, const config::Case& c, const char* option) {

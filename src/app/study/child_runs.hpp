@@ -37,6 +37,9 @@ struct ChildResult {
   std::string problem;  // why there are no results; empty: there are
 };
 
+/// What to say of a run that ended without results: its exit code, its first error and where its log is.
+std::string why_no_results(int code, const std::filesystem::path& log);
+
 /// Runs it on one thread, unless its folder holds the same run: a finished one is left alone, an interrupted
 /// one goes on from its checkpoint. What it prints goes to FOLDER.log.
 ChildResult run_or_reuse(const ChildRun& run);

@@ -88,9 +88,7 @@ int run_on(const Mesh& mesh, const StudyOptions& o, const fs::path& folder) {
   fmt::print("{} ...", mesh.name());
   std::fflush(stdout);
   const int code = run_child(words, log);
-  fmt::print(" {}\n", has_results(code)
-                          ? "done"
-                          : fmt::format("FAILED with exit code {}, see {}", code, log.string()));
+  fmt::print(" {}\n", has_results(code) ? "done" : "FAILED with " + why_no_results(code, log));
   return code;
 }
 

@@ -113,9 +113,7 @@ VerifiedCase run_one(const Work& w, const fs::path& folder, const VerifyOptions&
   }
   const bool done = has_results(code);
   VerifiedCase c = done ? read_verified(run) : VerifiedCase{};
-  if (!done)
-    c.problem = fmt::format("the run ended with exit code {}, see {}", code, log.string()),
-    c.exit_code = code;
+  if (!done) c.problem = "the run ended with " + why_no_results(code, log), c.exit_code = code;
   c.name = w.name;
   c.title = w.title;
   return c;
