@@ -25,7 +25,7 @@ help:
 	@echo "make install  copy the program, its data, manual page and Python package to PREFIX ($(PREFIX)); DESTDIR is obeyed"
 	@echo "make deb      make Debian packages in $(PACKAGE)/"
 	@echo "make test     build a portable binary, run the quick tests, check the layers and sizes of the source"
-	@echo "make coverage run the tests and count the lines that they reach; results in $(COVERAGE)/index.html"
+	@echo "make coverage run the tests and count the lines that they reach; results in $(COVERAGE)/coverage.json"
 	@echo "make bench    build and run the timed kernels; results in build/bench.json"
 	@echo "make docs     write docs/reference/ from the program's own registry of keys"
 	@echo "make site     make a site of docs/: $(SITE)/html/index.html"

@@ -1,26 +1,50 @@
 #!/usr/bin/env python3
-"""Writes what tests have reached as pages, and prints it by folder: tools/coverage.py build/coverage [-j JOBS]
+"""Prints what part of the lines tests have reached, by folder: tools/coverage.py build/coverage [-j JOBS]
 
-FOLDER is a build with RECOIL_COVERAGE=ON whose tests have run; gcovr reads it. The pages are FOLDER/index.html.
-`make coverage` does all of it.
+FOLDER is a build with RECOIL_COVERAGE=ON whose tests have run; gcov reads it. FOLDER/coverage.json has the lines that were missed in
+each file. (gcovr 5.2, Debian 12's, stops at functions of one name on two lines.) `make coverage` does all of it.
 """
 
 import argparse
 import json
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
 
-def run_gcovr(build, jobs):
-    """Lets gcovr write the pages; what it knows of each file. @raises CalledProcessError."""
-    summary = build / "coverage.json"
-    command = ["gcovr", "--root", str(ROOT), "--filter", "src/", "--object-directory", str(build), "-j", str(jobs)]
-    command += ["--exclude-throw-branches", "--html-details", str(build / "index.html"), "--json-summary", str(summary)]
-    subprocess.run([*command, str(build)], cwd=ROOT, check=True)
-    return json.loads(summary.read_text(encoding="utf-8"))["files"]
+def count_object(data):
+    """{file of src/: {line: times}} of one object, from gcov."""
+    said = subprocess.run(["gcov", "--json-format", "--stdout", str(data)], capture_output=True, check=False, cwd=data.parent).stdout
+    counted = json.loads(said) if said else {"files": []}
+    found = {}
+    for file in counted["files"]:
+        name = Path(counted["current_working_directory"], file["file"]).resolve()
+        if not name.is_relative_to(ROOT / "src"):
+            continue
+        lines = found.setdefault(name.relative_to(ROOT).as_posix(), {})
+        for line in file["lines"]:
+            lines[line["line_number"]] = max(lines.get(line["line_number"], 0), line["count"])
+    return found
+
+
+def count_lines(build, jobs):
+    """[{filename, line_covered, line_total, missed}]: a line counts as reached where it is in any object."""
+    times = {}
+    with ThreadPoolExecutor(jobs) as team:
+        for found in team.map(count_object, sorted(build.rglob("*.gcda"))):
+            for name, lines in found.items():
+                own = times.setdefault(name, {})
+                for line, count in lines.items():
+                    own[line] = max(own.get(line, 0), count)
+    files = []
+    for name, lines in sorted(times.items()):
+        missed = sorted(line for line, count in lines.items() if count == 0)
+        files.append({"filename": name, "line_covered": len(lines) - len(missed), "line_total": len(lines), "missed": missed})
+    (build / "coverage.json").write_text(json.dumps(files, indent=1) + "\n", encoding="utf-8")
+    return files
 
 
 def by_folder(files):
@@ -60,12 +84,12 @@ def main():
     parser.add_argument("folder", type=Path)
     parser.add_argument("-j", "--jobs", type=int, default=1)
     options = parser.parse_args()
-    files = run_gcovr(options.folder.resolve(), options.jobs)
+    files = count_lines(options.folder.resolve(), options.jobs)
     if not files:
         sys.exit(f"no counts below {options.folder}: have its tests run?")
     for line in table(files):
         print(line)
-    print(f"pages: {options.folder}/index.html")
+    print(f"lines: {options.folder}/coverage.json")
     return 0
 
 
