@@ -22,8 +22,6 @@ using detail::EnoLlf;
 using detail::WenoHllc;
 using detail::Work;
 
-constexpr int reach = 3;  // cells that a reconstruction reads beyond a face
-
 /// The first `count` primitives of the window's cells; the others are zero.
 template <std::size_t count, int Dim>
 void gather_primitives(const Body<Dim>& body, int slot, double rho0, Work<Dim>& w, Scratch& scratch) {
@@ -146,7 +144,7 @@ void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slo
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
   const double g = shear_modulus(body.material);
-  Work<Dim> w{state.grid(slot), Window<Dim>(state.mesh, slot, reach, b.matter), b.matter};
+  Work<Dim> w{state.grid(slot), Window<Dim>(state.mesh, slot, detail::face_reach, b.matter), b.matter};
   const detail::LevelSides<Dim> sides{state.mesh, body, slot};
   if (!state.mesh.is_among_equals(slot)) w.sides = &sides;
   w.n = w.cells.size();

@@ -16,6 +16,9 @@ struct LevelSides {
   int slot;
 };
 
+/// Cells that a reconstruction reads on each side of a face.
+inline constexpr int face_reach = 3;
+
 /// The arrays of one block's update. Window arrays hold [component][window cells] and one vector more, so
 /// that rows may be read in whole vectors; the others [component][cells].
 template <int Dim>

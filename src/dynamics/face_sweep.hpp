@@ -33,11 +33,12 @@ struct EnoLlf {
 template <int Dim>
 void count_poor_face(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step, Counters& counters) {
   bool dust = false, leaves = false;
-  for (int s = -3; s < 3; ++s) dust = dust || (w.failed && w.failed[at + s * step] != intact);
+  for (int s = -face_reach; s < face_reach; ++s)
+    dust = dust || (w.failed && w.failed[at + s * step] != intact);
   const Index<Dim> i = w.window.box().index(static_cast<int>(at));
   for (int d = 0; d < Dim; ++d)
-    leaves = leaves || (i[d] < 3 && w.grid.edge[d][0] == Edge::outflow) ||
-             (i[d] >= w.grid.cells[d] - 3 && w.grid.edge[d][1] == Edge::outflow);
+    leaves = leaves || (i[d] < face_reach && w.grid.edge[d][0] == Edge::outflow) ||
+             (i[d] >= w.grid.cells[d] - face_reach && w.grid.edge[d][1] == Edge::outflow);
   ++(dust ? counters.faces_of_dust : leaves ? counters.faces_at_open_edges : counters.faces_without_value);
 }
 
@@ -87,7 +88,7 @@ void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t a
 
 template <int Dim>
 bool complete(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step) {
-  for (int s = -3; s < 3; ++s)
+  for (int s = -face_reach; s < face_reach; ++s)
     if ((w.role[at + s * step] & valued) == 0) return false;
   return true;
 }

@@ -73,7 +73,7 @@ void copy_paraview_script(const fs::path& folder) {
 }
 
 /// Surfaces of the rigid bodies at the start, which dumps have no cells of, for ParaView: fields/rigid_N.stl,
-/// N their number in the dumps. Some 100 000 triangles at most for each.
+/// N their number in the dumps. In cells of mesh.finest, or of a 128th of the domain's longest side.
 void write_rigid_surfaces(const fs::path& folder, const config::Case& c) {
   if (c.domain.geometry != config::Geometry::space) return;
   const SpaceBox box{config::first_components<3>(c.domain.lo), config::first_components<3>(c.domain.hi)};
