@@ -74,7 +74,7 @@ layers: packages-test
 	$(STEP) "Sizes of functions, files and folders" $(PYTHON) -B tools/check_sizes.py
 
 unit-tests: packages-test
-	$(STEP) "Configure $(TEST)" tools/configure $(TEST) -DRECOIL_WERROR=$(WERROR) -DRECOIL_REPORT=ON
+	$(STEP) "Configure $(TEST)" tools/configure $(TEST) -DRECOIL_WERROR=$(WERROR) -DRECOIL_REPORT=ON -DRECOIL_BENCH=ON
 	$(STEP) "Build a portable program and its tests (some minutes the first time)" \
 	  cmake --build $(TEST) -j $(JOBS)
 	$(STEP) "Quick tests" ctest --test-dir $(TEST) -j $(JOBS) -LE slow --output-on-failure --no-tests=error \

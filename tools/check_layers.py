@@ -14,7 +14,7 @@ LAYERS = (
     ("core",),
     ("parallel", "config"),
     ("mesh", "material", "format"),
-    ("field",),
+    ("field", "kernels"),
     ("state",),
     ("cutcell", "contact"),
     ("levelset", "dynamics"),

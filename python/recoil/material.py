@@ -3,6 +3,7 @@
 Needs the module `_material`, which CMake builds (docs/how-to/python.md); reading runs does not.
 """
 
+import importlib.machinery
 import importlib.util
 import os
 import pathlib
@@ -60,14 +61,12 @@ def _load_module():
     """The compiled module: installed with the package, beside the program, or in a build folder of the source tree."""
     folders = [folder / "python" for folder in _program_folders()] + sorted(SOURCE.glob("build/*/python"))
     for folder in [pathlib.Path(__file__).resolve().parent, *folders]:
-        for file in sorted(folder.glob("_material.*.so")):
-            spec = importlib.util.spec_from_file_location("recoil._material", file)
-            try:
+        for file in (folder / f"_material{suffix}" for suffix in importlib.machinery.EXTENSION_SUFFIXES):
+            if file.exists():
+                spec = importlib.util.spec_from_file_location("recoil._material", file)
                 module = importlib.util.module_from_spec(spec)
                 spec.loader.exec_module(module)
-            except ImportError:  # of another version of Python
-                continue
-            return module
+                return module
     raise MissingDependency(
         "materials need the compiled module recoil._material: in the source tree, with python3-dev and pybind11-dev, "
         "`tools/configure build/release -DRECOIL_PYTHON=ON && cmake --build build/release --target recoil_python_module`"

@@ -52,6 +52,21 @@ def rms_over(t, y, start, end):
     return math.sqrt(float(numpy.sum(numpy.diff(at) * (a * a + a * b + b * b) / 3)) / (end - start))
 
 
+def slope_over(t, y, start, end):
+    at = knots(t, start, end)
+    if not len(at):
+        return NAN
+    a, b = numpy.interp(at, t, y)[:-1], numpy.interp(at, t, y)[1:]
+    s, e = (at - (start + end) / 2)[:-1], (at - (start + end) / 2)[1:]
+    return 2 * float(numpy.sum(numpy.diff(at) * (a * (2 * s + e) + b * (s + 2 * e)))) / (end - start) ** 3
+
+
+def unit_of_slope(unit, over):
+    """`mm` over `us` is `mm/us`, `m/s` over it `m/(s us)`."""
+    above, _, below = unit.partition("/")
+    return f"{above}/({below.strip('()')} {over})" if below else f"{above}/{over}"
+
+
 def crossing(t, y, k, level):
     """Where the line from record k - 1 to record k has a level."""
     return float(t[k - 1] + (level - y[k - 1]) / (y[k] - y[k - 1]) * (t[k] - t[k - 1]))
@@ -96,7 +111,7 @@ WITHOUT_ARGUMENT = {
     "pullback": pull_back,
 }
 AT_A_LEVEL = {"arrival": arrival_at, "until": last_at}
-OVER_A_SPAN = {"mean": mean_over, "rms": rms_over}
+OVER_A_SPAN = {"mean": mean_over, "rms": rms_over, "slope": slope_over}
 EXTREMES = {"max": numpy.max, "min": numpy.min}
 REDUCTIONS = (*WITHOUT_ARGUMENT, *AT_A_LEVEL, *OVER_A_SPAN, *EXTREMES)
 
@@ -126,7 +141,7 @@ def gauge_value(run, name):
         raise InputError(f"{argument!r} is not a span such as 0.2us..0.5us")
     if how in EXTREMES:
         return extreme(t, y, EXTREMES[how], span), unit
-    return OVER_A_SPAN[how](t, y, *span), unit
+    return OVER_A_SPAN[how](t, y, *span), unit_of_slope(unit, over) if how == "slope" else unit
 
 
 def contacts(run):

@@ -30,18 +30,22 @@ Vec<Dim> normal_of(const Distance<Dim>& distance, const Vec<Dim>& x, double h) {
   return size > 0 ? (1 / size) * n : n;
 }
 
-/// Points of a surface, one for about each cell of width h.
+/// A box of space.
 template <int Dim>
-std::vector<Vec<Dim>> points_of(const Distance<Dim>& distance, const config::Domain& domain, double h) {
+struct Part {
+  Vec<Dim> lo, hi;  // m
+};
+
+/// Points of a surface in a box, one for about each cell of width h.
+template <int Dim>
+std::vector<Vec<Dim>> points_of(const Distance<Dim>& distance, const Part<Dim>& part, double h) {
   Box<Dim> cells;
-  for (int d = 0; d < Dim; ++d) {
-    const auto e = static_cast<std::size_t>(d);
-    cells.hi[d] = static_cast<int>(std::ceil((domain.hi[e] - domain.lo[e]) / h - 1e-9));
-  }
+  for (int d = 0; d < Dim; ++d)
+    cells.hi[d] = static_cast<int>(std::ceil((part.hi[d] - part.lo[d]) / h - 1e-9));
   std::vector<Vec<Dim>> points;
   for_each(cells, [&](const Index<Dim>& i) {
     Vec<Dim> x;
-    for (int d = 0; d < Dim; ++d) x[d] = domain.lo[static_cast<std::size_t>(d)] + (i[d] + 0.5) * h;
+    for (int d = 0; d < Dim; ++d) x[d] = part.lo[d] + (i[d] + 0.5) * h;
     if (std::abs(distance(x)) > h) return;
     for (int k = 0; k < 3; ++k) x = x - distance(x) * normal_of(distance, x, 1e-4 * h);
     if (std::abs(distance(x)) < 1e-3 * h) points.push_back(x);
@@ -53,7 +57,7 @@ template <int Dim>
 struct Hit {
   double way = std::numeric_limits<double>::infinity();  // m
   double cosine = 0;                                     // of the motion with the normal into the other body
-  Vec<Dim> place;
+  Vec<Dim> place, start;                                 // of the point when it touches, and before it moves
 };
 
 /// Moves points along a unit vector until they touch the other surface; never farther than to it.
@@ -70,7 +74,7 @@ Hit<Dim> first_hit(const std::vector<Vec<Dim>>& points, const Vec<Dim>& directio
         const double cosine = -dot(direction, normal_of(other, x, tolerance));
         // Of points that arrive together the one that runs in most squarely.
         if (way < hit.way - tolerance || (way < hit.way + tolerance && cosine > hit.cosine))
-          hit = {std::min(way, hit.way), cosine, x};
+          hit = {std::min(way, hit.way), cosine, x, start};
         break;
       }
       way += gap;
@@ -85,22 +89,45 @@ struct Surfaces {
   const config::Case& c;
   std::vector<Distance<Dim>> distance;
   std::vector<std::vector<Vec<Dim>>> points;
+  Part<Dim> all;           // the domain
   double h = 0, size = 0;  // m, of the grid, of the domain
 
   explicit Surfaces(const config::Case& from) : c(from) {
     constexpr double most = Dim == 1 ? 1e5 : Dim == 2 ? 400 : 60;
-    for (std::size_t d = 0; d < Dim; ++d) size += c.domain.hi[d] - c.domain.lo[d];
+    for (std::size_t d = 0; d < Dim; ++d) {
+      size += c.domain.hi[d] - c.domain.lo[d];
+      all.lo[static_cast<int>(d)] = c.domain.lo[d], all.hi[static_cast<int>(d)] = c.domain.hi[d];
+    }
     h = std::max(c.mesh.finest, size / Dim / most);
     for (const config::Body& body : c.bodies) {
       distance.push_back(signed_distance<Dim>(body.shape, c.domain));
-      points.push_back(points_of(distance.back(), c.domain, h));
+      points.push_back(points_of(distance.back(), all, h));
     }
+  }
+
+  /// Where points of body a touch body b first. Around the one that does, ever closer ones are asked, until
+  /// they are closer than a part of a cell of the mesh: on a coarse grid none is where round bodies touch.
+  Hit<Dim> hit_by_points(std::size_t a, std::size_t b, const Vec<Dim>& direction) const {
+    constexpr double finer = 4, close = 16;
+    Hit<Dim> best = first_hit(points[a], direction, distance[b], 2 * size, 2e-3 * h);
+    double spacing = h;
+    while (std::isfinite(best.way) && spacing > c.mesh.finest / close) {
+      Part<Dim> around;
+      for (int d = 0; d < Dim; ++d) {
+        around.lo[d] = std::max(all.lo[d], best.start[d] - 1.5 * spacing);
+        around.hi[d] = std::min(all.hi[d], best.start[d] + 1.5 * spacing);
+      }
+      spacing /= finer;
+      const Hit<Dim> closer = first_hit(points_of(distance[a], around, spacing), direction, distance[b],
+                                        best.way, 2e-3 * spacing);
+      if (closer.way < best.way) best = closer;
+    }
+    return best;
   }
 
   /// Both bodies' points, so that corners of either are seen.
   Hit<Dim> hit(std::size_t a, std::size_t b, const Vec<Dim>& direction) const {
-    const Hit<Dim> there = first_hit(points[a], direction, distance[b], 2 * size, 2e-3 * h);
-    const Hit<Dim> back = first_hit(points[b], -direction, distance[a], 2 * size, 2e-3 * h);
+    const Hit<Dim> there = hit_by_points(a, b, direction), back = hit_by_points(b, a, -direction);
     const bool together = std::abs(there.way - back.way) < 0.01 * h;
     return together ? (there.cosine > back.cosine ? there : back) : there.way < back.way ? there : back;
   }

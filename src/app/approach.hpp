@@ -24,8 +24,9 @@ struct Approach {
 };
 
 /// Every pair of bodies of a case, by following points of their surfaces on a grid of the mesh's cells, or
-/// coarser in large cases: times and places are good to a small part of a cell of that grid for faces and
-/// round bodies, to about a cell for corners. Rigid pairs as well.
+/// coarser in large cases, and then closer ones around the first that touches: times and places are good to a
+/// small part of a cell of the mesh for faces and round bodies, to about a cell for corners. Rigid pairs as
+/// well.
 std::vector<Approach> find_approaches(const config::Case& c);
 
 /// Of those that close the ones before which neither body has met another: later the velocities are others.

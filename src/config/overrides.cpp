@@ -63,7 +63,10 @@ void apply_overrides(Document& document, const std::vector<std::string>& overrid
         const std::string near = did_you_mean(path[1], names);
         out.error({source_name, line, static_cast<int>(path[0].size()) + 2, static_cast<int>(path[1].size())},
                   fmt::format("the case has no {} '{}'", path[0], path[1]),
-                  !near.empty() ? near : fmt::format("it has: {}", fmt::join(names, ", ")));
+                  !near.empty() ? near
+                  : names.empty()
+                      ? fmt::format("it has none: write [{}.{}] in the case file", path[0], path[1])
+                      : fmt::format("it has: {}", fmt::join(names, ", ")));
         continue;
       }
     }

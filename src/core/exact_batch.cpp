@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/multiversion.hpp"
+
 namespace recoil {
 
 namespace {
@@ -19,6 +21,7 @@ struct Range {
   bool odd = false;
 };
 
+RECOIL_MULTIVERSION
 Range find_range(std::span<const double> terms) {
   double most = 0, least = largest, not_finite = 0;
 #pragma omp simd reduction(max : most) reduction(min : least) reduction(+ : not_finite)
@@ -41,6 +44,7 @@ void add_odd(std::span<double> terms, ExactSum& to) {
 }
 
 /// Cuts off the leading parts of all terms. @returns the largest rest.
+RECOIL_MULTIVERSION
 double cut(std::span<double> terms, double most, ExactSum& to) {
   const double sigma = std::ldexp(1.0, std::ilogb(most) + 1 + spare_bits);
   double sum = 0, rest = 0;

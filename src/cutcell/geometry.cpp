@@ -291,12 +291,35 @@ void open_areas(const Grid<Dim>& grid, const Window<Dim>& w, const Geometry<Dim>
   const Box<Dim> cells = w.inner();
   Box<Dim> faces = cells;
   ++faces.hi[d];
-  for_each(cells, [&](const Index<Dim>& i) {
-    const int cell = w.cell(i);
-    const int at = faces.at(i);
-    out[at] = open_area(grid, g, cell, i, d, 0);
-    if (i[d] == cells.hi[d] - 1) out[at + faces.stride(d)] = open_area(grid, g, cell, i, d, 1);
+  const int width = cells.extent(0);
+  std::array<double, Window<Dim>::longest + 1> full;  // by the column of a face
+  Index<Dim> column;
+  for (int c = 0; c <= width; ++c) {
+    column[0] = cells.lo[0] + c;
+    full[c] = grid.full_area(column, d);
+  }
+  const auto put_high = [&](const Index<Dim>& i, int cell) {
+    if (i[d] == cells.hi[d] - 1) out[faces.at(i) + faces.stride(d)] = open_area(grid, g, cell, i, d, 1);
+  };
+  Box<Dim> rows = cells;
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  for_each(rows, [&](Index<Dim> i) {
+    const int first = w.cell(i);
+    const CellKind* kind = g.kind.data() + first;
+    double* to = out + faces.at(i);
+    for (int c = 0; c < width; ++c) to[c] = kind[c] == CellKind::empty ? 0.0 : full[c];
+    if (d != 0 && i[d] < cells.hi[d] - 1) return;
+    for (int c = d == 0 ? width - 1 : 0; c < width; ++c) {
+      i[0] = cells.lo[0] + c;
+      put_high(i, first + c);
+    }
   });
+  for (const CutCell<Dim>& cut : g.cuts) {
+    const Index<Dim> i = w.index_of(cut.cell);
+    if (!cells.contains(i)) continue;
+    out[faces.at(i)] = cut.open[d][0];
+    put_high(i, cut.cell);
+  }
 }
 
 template <int Dim>

@@ -8,6 +8,8 @@
 
 #include "cutcell/leaving.hpp"
 #include "cutcell/moves_view.hpp"
+#include "cutcell/transfer.hpp"
+#include "state/alone.hpp"
 
 namespace recoil {
 
@@ -25,102 +27,8 @@ constexpr double like_speed = 50;    // [m/s] moving otherwise by so much halves
 constexpr double least_surface = 0.02;       // area that a surface counts with in the exchange along it
 constexpr double closed_face = 1e-9;         // a common face open by less is closed; closed by less, open
 constexpr double least_mismatch_area = 0.3;  // a smaller surface counts as so large in V - V_phi over A_I
+constexpr double free_distance = 2.5;        // [cells] from other bodies, of a fragment on its own
 constexpr double most_mismatch = 0.5;        // [dx] by which phi is asked to follow V at most
-
-/// Something that leaves a cell for another.
-template <int Dim>
-struct Transfer {
-  Index<Dim> to{};
-  bool any = false;
-  double volume = 0;
-  Index<Dim> state_cell{};       // whose state the volume takes along ...
-  double factor = 0;             // ... this much of its contents
-  bool everything = false;       // the cell is left with nothing
-  bool outside = false;          // through an open edge of the domain, `to` is the cell itself
-  std::array<double, 3> kept{};  // of `bounded`: what `to` keeps that the volume should have taken along
-};
-
-/// Components that cannot fall below zero.
-template <int Dim>
-inline constexpr std::array<std::size_t, 3> bounded{Components<Dim>::ep, Components<Dim>::temperature_rise,
-                                                    Components<Dim>::damage};
-
-/// A neighbour that gives volume at the state of the cell that takes it gives no more plastic strain and heat
-/// than it has.
-template <int Dim>
-void keep_positive(const MovesView<Dim>& p, Transfer<Dim>& t) {
-  if (t.everything || t.outside || t.volume >= 0 || p.volume[p.window.at(t.to)] + t.volume <= 0) return;
-  const Contents<Dim> state = p.contents(t.state_cell), there = p.contents(t.to);
-  for (std::size_t n = 0; n < bounded<Dim>.size(); ++n) {
-    const std::size_t c = bounded<Dim>[n];
-    const double missing = -(std::max(there[c], 0.0) + t.factor * state[c]);
-    if (t.factor * state[c] < 0 && missing > 0) t.kept[n] = missing;
-  }
-}
-
-template <int Dim>
-void add_kept(Contents<Dim>& to, const Transfer<Dim>& t, double sign) {
-  for (std::size_t n = 0; n < bounded<Dim>.size(); ++n) to[bounded<Dim>[n]] += sign * t.kept[n];
-}
-
-/// The cells that may send something: own ones and those around them. `may(i)` is cheap.
-template <int Dim, class May>
-int* list_senders(const MovesView<Dim>& p, int& count, Scratch& scratch, May&& may) {
-  const Box<Dim> box = p.window.inner().grown(1);
-  int* cells = scratch.take<int>(box.size());
-  count = 0;
-  for_each(box, [&](const Index<Dim>& i) {
-    if (may(i)) cells[count++] = p.window.at(i);
-  });
-  return cells;
-}
-
-/// Applies transfers between cells at most one apart: every own cell loses what it sends and gains what its
-/// neighbours send it, in the order of their cells. `decide(i)` must depend on the old state only; only cells
-/// of the list are asked.
-template <int Dim, class Decide>
-void transfer(const MovesView<Dim>& p, BodyBlock<Dim>& b, const int* senders, int count, Scratch& scratch,
-              Decide&& decide) {
-  const std::size_t n = p.window.size();
-  int* sent = scratch.take_filled<int>(n, -1);
-  auto* touched = scratch.take_filled<std::uint8_t>(n, 0);
-  auto* transfers = scratch.take<Transfer<Dim>>(count);
-  for (int s = 0; s < count; ++s) {
-    const int k = senders[s];
-    transfers[s] = decide(p.window.box().index(k));
-    if (!transfers[s].any) continue;
-    keep_positive(p, transfers[s]);
-    sent[k] = s;
-    touched[k] = 1;
-    touched[p.window.at(transfers[s].to)] = 1;
-  }
-  for_each(p.window.inner(), [&](const Index<Dim>& i) {
-    const int k = p.window.at(i);
-    if (!touched[k]) return;
-    Update<Dim> u{p.window.cell(i), p.volume[k], p.contents(i)};
-    if (sent[k] >= 0) {
-      const Transfer<Dim>& own = transfers[sent[k]];
-      u.volume -= own.volume;
-      if (own.everything) {
-        u.volume = 0;
-        u.contents = {};
-      } else {
-        add_scaled<Dim>(u.contents, p.contents(own.state_cell), -own.factor);
-        add_kept(u.contents, own, -1);
-      }
-    }
-    Box<Dim> box{i, i};
-    for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
-    for_each(box, [&](const Index<Dim>& j) {
-      const int from = sent[p.window.at(j)];
-      if (from < 0 || j == i || !(transfers[from].to == i)) return;
-      u.volume += transfers[from].volume;
-      add_scaled<Dim>(u.contents, p.contents(transfers[from].state_cell), transfers[from].factor);
-      add_kept(u.contents, transfers[from], 1);
-    });
-    b.updates.push_back(u);
-  });
-}
 
 /// |A_I| of a cut cell, at least least_surface.
 template <int Dim>
@@ -143,15 +51,6 @@ double surface_flow(const MovesView<Dim>& p, const Index<Dim>& i, int d, Index<D
   if (!(p.volume[p.window.at(source)] > least_state_fill * p.full(source))) return 0;
   return exchange_rate * ((va - a->volume) / area_a - (vb - b->volume) / area_b) * area_a * area_b /
          (area_a + area_b);
-}
-
-/// Velocity of what a cell holds [m/s]; 0 without mass.
-template <int Dim>
-Vec<Dim> velocity(const Contents<Dim>& q) {
-  Vec<Dim> u{};
-  if (q[Components<Dim>::rho] != 0)
-    for (int d = 0; d < Dim; ++d) u[d] = q[Components<Dim>::u + d] / q[Components<Dim>::rho];
-  return u;
 }
 
 /// Sends what cell i holds to the fullest cell around that has much more: one that shares a face, else a
@@ -202,18 +101,24 @@ void send_to_emptiest(const MovesView<Dim>& p, const Index<Dim>& i, Transfer<Dim
     }
 }
 
+/// Least volume that a cut cell may have at a place: none where the body is thin, else a little below zero.
+template <int Dim>
+double least_volume(const MovesView<Dim>& p, const Index<Dim>& i) {
+  return p.thin(i) ? 0.0 : -open_bound * p.full(i);
+}
+
 /// What a cut cell sends away because its volume is out of bounds.
 template <int Dim>
 Transfer<Dim> back_into_bounds(const MovesView<Dim>& p, const Index<Dim>& i) {
   Transfer<Dim> t;
-  const double v = p.volume[p.window.at(i)], whole = p.full(i), limit = p.thin(i) ? 0.0 : -open_bound;
+  const double v = p.volume[p.window.at(i)], whole = p.full(i), least = least_volume(p, i);
   t.state_cell = i;
-  if (v < limit * whole) {
+  if (v < least) {
     send_to_fullest(p, i, t);
     t.volume = v;
     t.factor = 1;
     t.everything = true;
-  } else if (v > (1 - limit) * whole && v - whole > rounding * whole) {
+  } else if (v > whole - least && v - whole > rounding * whole) {
     send_to_emptiest(p, i, t);
     t.volume = v - whole;
     t.factor = t.volume / v;
@@ -222,13 +127,18 @@ Transfer<Dim> back_into_bounds(const MovesView<Dim>& p, const Index<Dim>& i) {
 }
 
 /// As add_scaled(), but of what cannot fall below zero a cell gives at most an equal share of what it has
-/// across each of its faces: volume may leave it in the state of the cell that takes it.
+/// across each of its faces: volume may leave it in the state of the cell that takes it. The mass that it
+/// gives has its own damage.
 template <int Dim>
 void add_given(const MovesView<Dim>& p, const Index<Dim>& giver, const Contents<Dim>& q, double factor,
                Contents<Dim>& to) {
   add_scaled<Dim>(to, q, factor);
   const Contents<Dim> has = p.contents(giver);
   for (const std::size_t c : bounded<Dim>) {
+    if (c == Components<Dim>::damage && has[0] > 0) {
+      to[c] += factor * (q[0] * (has[c] / has[0]) - q[c]);
+      continue;
+    }
     const double most = std::max(has[c], 0.0) / (2 * Dim), moved = factor * q[c];
     if (std::abs(moved) > most) to[c] += std::copysign(most, factor) - moved;
   }
@@ -309,6 +219,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
   const int* senders = list_senders(p, count, scratch, gives);
   if (count == 0) return;
   p.gather_phi();
+  const bool may_stay = can_fail(body.material.damage);
   transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
     const bool leaves = leaves_domain(p, i);
@@ -320,6 +231,10 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
     t.state_cell = i;
     t.factor = 1;
     t.everything = true;
+    if (t.any && !leaves && may_stay) {
+      const auto from = p.window.source_inside(i);
+      if (is_alone(state, body, from.slot, from.cell, free_distance)) keep_without_room(p, t);
+    }
     return t;
   });
 }
@@ -354,7 +269,7 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccoun
       from_own = false;
       e = std::max(e, -most_lent * there);
     }
-    if (e < 0 && from_own && there < -e && p.thin(i)) return t;
+    if (e < 0 && from_own && there + e < least_volume(p, i)) return t;
     t.any = true;
     t.volume = e;
     t.state_cell = from_own ? i : t.to;

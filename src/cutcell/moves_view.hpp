@@ -120,4 +120,13 @@ void add_scaled(Contents<Dim>& to, const Contents<Dim>& q, double factor) {
   for (std::size_t c = 0; c < to.size(); ++c) to[c] += factor * q[c];
 }
 
+/// Velocity of what a cell holds [m/s]; 0 without mass.
+template <int Dim>
+Vec<Dim> velocity(const Contents<Dim>& q) {
+  Vec<Dim> u{};
+  if (q[Components<Dim>::rho] != 0)
+    for (int d = 0; d < Dim; ++d) u[d] = q[Components<Dim>::u + d] / q[Components<Dim>::rho];
+  return u;
+}
+
 }  // namespace recoil

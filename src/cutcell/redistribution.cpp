@@ -237,6 +237,19 @@ class Redistribution {
       m.slope[c] = minmod((m.mean[c] - u1) / (x0 - x1), (u1 - u2) / (x1 - x2));
     }
     for (int c = Components<Dim>::ep; c < Components<Dim>::contents; ++c) keep_positive(h, m, c);
+    keep_damage_whole(h, m);
+  }
+
+  /// Damage of the pair that the slopes of it and of the density would take beyond 1 is uniform by mass.
+  void keep_damage_whole(const Neighbourhood& h, Merged& m) const {
+    constexpr std::size_t damage = Components<Dim>::damage;
+    if (!(m.mean[0] > 0) || m.mean[damage] > m.mean[0]) return;
+    for (int j = 0; j < h.members; ++j) {
+      const double z = centroid(members_[h.first + j])[h.axis] - m.centre[h.axis];
+      if (m.mean[damage] + m.slope[damage] * z <= m.mean[0] + m.slope[0] * z) continue;
+      m.slope[damage] = m.slope[0] * (m.mean[damage] / m.mean[0]);
+      return;
+    }
   }
 
   /// Flattens the slope of what cannot fall below zero until neither of the pair does. What the pair holds

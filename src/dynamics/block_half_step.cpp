@@ -4,56 +4,62 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <variant>
 
+#include "core/multiversion.hpp"
 #include "dynamics/flux.hpp"
 #include "dynamics/half_step.hpp"
-#include "dynamics/plastic_return.hpp"
+#include "dynamics/loading.hpp"
 
 namespace recoil::detail {
 
 namespace {
 
-/// Reads cells of the window, and their central differences.
-template <int Dim>
+/// Reads cells of the window, and their central differences. Open: some cells of the window have no value.
+template <int Dim, bool Open>
 struct Reader {
   const double* primitive;
   const double* impedance;
-  const double* open;  // 1 where a cell has a value, 0 where not; null: all have
+  const double* open;  // 1 where a cell has a value, 0 where not
   std::size_t wide;
   double per_dx;  // 1/(2 dx)
   double shear;
 
   [[gnu::always_inline]] Primitives<Dim> at(std::ptrdiff_t k) const {
     Primitives<Dim> w;
-    for (std::size_t c = 0; c < w.size(); ++c) w[c] = primitive[c * wide + k];
+    for_each_constant<Components<Dim>::primitives>([&](auto c)
+                                                       RECOIL_INLINE { w[c] = primitive[c * wide + k]; });
     return w;
   }
   /// One-sided where one of the neighbours has no value, 0 where both have none or the cell itself has none.
   [[gnu::always_inline]] Primitives<Dim> slope(std::ptrdiff_t k, std::ptrdiff_t step) const {
     double low = per_dx, high = per_dx;
-    if (open) {
+    if constexpr (Open) {
       const double a = open[k - step], b = open[k + step], both = a + b;
       const double each = open[k] * per_dx * 2 / (both > 0 ? both : 1.0);
       low = a * each;
       high = b * each;
     }
     Primitives<Dim> s;
-    for (std::size_t c = 0; c < s.size(); ++c) {
-      const double here = primitive[c * wide + k];
-      s[c] = low * (here - primitive[c * wide + k - step]) + high * (primitive[c * wide + k + step] - here);
-    }
+    for_each_constant<Components<Dim>::primitives>([&](auto c) RECOIL_INLINE {
+      const double* at = primitive + c * wide + k;
+      s[c] = low * (*at - at[-step]) + high * (at[step] - *at);
+    });
     return s;
   }
-  [[gnu::always_inline]] Response response(std::ptrdiff_t k, const double* loading) const {
+  RECOIL_INLINE Response response(std::ptrdiff_t k, const double* loading) const {
     const double z = impedance[k];
     return {z * z / primitive[k] - 4.0 / 3 * shear, shear, loading[k]};
   }
 };
 
-template <int Dim>
-Reader<Dim> reader(const Work<Dim>& w, double g) {
-  return {w.primitive, w.impedance, w.open, w.wide, 0.5 / w.grid.dx, g};
+/// f(reader) with that of the window.
+template <int Dim, class F>
+void with_reader(const Work<Dim>& w, double g, F&& f) {
+  const double per_dx = 0.5 / w.grid.dx;
+  if (w.open)
+    f(Reader<Dim, true>{w.primitive, w.impedance, w.open, w.wide, per_dx, g});
+  else
+    f(Reader<Dim, false>{w.primitive, w.impedance, nullptr, w.wide, per_dx, g});
 }
 
 /// The rows of the cells whose face values move: the block's own and those beside them.
@@ -65,39 +71,32 @@ void for_each_row(const Work<Dim>& w, F&& f) {
   for_each(rows, [&](const Index<Dim>& r) { f(r, static_cast<std::ptrdiff_t>(w.window.at(r)), width); });
 }
 
-/// 1/|S| of cells at yield that load on, else 0.
-template <int Dim, class StrengthModel>
-void find_loading(const StrengthModel& strength, const Body<Dim>& body, Work<Dim>& w) {
-  using C = Components<Dim>;
-  const Eos& eos = body.material.eos;
-  const bool has_extra = barotropic(eos);
-  const Reader<Dim> read = reader(w, strength.shear_modulus);
-  for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
-    double* loading = w.ahead.loading + first;
-#pragma omp simd
-    for (int i = 0; i < width; ++i) {
-      const auto v = read.at(first + i);
-      double working = 0;
-      for_each_axis<Dim>(
-          [&](auto d) { working += working_along<Dim, d>(v, read.slope(first + i, w.window.stride(d))); });
-      loading[i] = working;
-    }
-    for (int i = 0; i < width; ++i) {
-      const double working = loading[i];
-      loading[i] = 0;
-      if (!(working > 0)) continue;
-      const auto v = read.at(first + i);
-      const double square = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
-      double e = energy(eos, v[C::rho], v[C::p], v[C::crushed]);
-      if (has_extra) e += v[C::extra];
-      e -= distortion_energy(square, strength.shear_modulus, v[C::rho]);
-      const double yield =
-          strength.yield({.ep = std::max(v[C::ep], 0.0),
-                          .temperature = body.temperature(v[C::rho], e, v[C::temperature_rise]),
-                          .pressure = v[C::p],
-                          .compression = v[C::rho] / rest_density(eos, v[C::crushed])});
-      if (square > 0 && square >= at_yield * yield * yield) loading[i] = std::sqrt(1.5 / square);
-    }
+/// S:D of a row of cells.
+template <int Dim, class Reader>
+RECOIL_MULTIVERSION void find_working(const Reader& read, const std::array<std::ptrdiff_t, Dim>& step,
+                                      std::ptrdiff_t first, int count, double* working) {
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) {
+    const auto v = read.at(first + i);
+    double sum = 0;
+    for_each_axis<Dim>(
+        [&](auto d) RECOIL_INLINE { sum += working_along<Dim, d>(v, read.slope(first + i, step[d])); });
+    working[i] = sum;
+  }
+}
+
+/// loading_of() all cells, 0 where they do not load on.
+template <int Dim>
+void find_loading(const Body<Dim>& body, Work<Dim>& w) {
+  std::array<std::ptrdiff_t, Dim> step;
+  for (int d = 0; d < Dim; ++d) step[static_cast<std::size_t>(d)] = w.window.stride(d);
+  with_reader(w, shear_modulus(body.material), [&](const auto& read) {
+    for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
+      double* loading = w.ahead.loading + first;
+      find_working<Dim>(read, step, first, width, loading);
+      for (int i = 0; i < width; ++i)
+        loading[i] = loading[i] > 0 ? loading_of(body, read.at(first + i)) : 0.0;
+    });
   });
 }
 
@@ -109,7 +108,8 @@ void clear_behind(const Work<Dim>& w, std::ptrdiff_t end, double* change) {
 }
 
 /// What the rings' widening does in row r, where axisymmetric.
-[[gnu::always_inline]] inline void widen(const Work<2>& w, const Index<2>& r, int i, const Reader<2>& read,
+template <class Reader>
+[[gnu::always_inline]] inline void widen(const Work<2>& w, const Index<2>& r, int i, const Reader& read,
                                          std::ptrdiff_t k, const Primitives<2>& v, Primitives<2>& rate) {
   using C = Components<2>;
   // On the axis u_r/r is du_r/dr, and what the hoop stress does to the velocity vanishes: divided by dx/2
@@ -122,28 +122,39 @@ void clear_behind(const Work<Dim>& w, std::ptrdiff_t end, double* change) {
   add_widening(v, sign * widening, on_axis ? 0.0 : sign / radius, read.response(k, w.ahead.loading), rate);
 }
 
+/// The changes of half a step by one axis, of a row of cells. @param step distance in memory along the axis.
+// NOLINTBEGIN(readability-non-const-parameter): the lambda writes to `change`
+template <int Dim, int Axis, class Reader>
+RECOIL_MULTIVERSION void find_row_change(const Reader& read, const double* loading, std::ptrdiff_t step,
+                                         std::ptrdiff_t first, int count, double half, double* change) {
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) {
+    const std::ptrdiff_t k = first + i;
+    const auto v = read.at(k);
+    const auto rate = rate_along<Dim, Axis>(v, read.slope(k, step), v[Components<Dim>::u + Axis],
+                                            read.response(k, loading));
+    for_each_constant<Components<Dim>::primitives>(
+        [&](auto c) RECOIL_INLINE { change[c * read.wide + k] = half * rate[c]; });
+  }
+}
+// NOLINTEND(readability-non-const-parameter)
+
 /// The changes of half a step by one axis.
 template <int Dim, int Axis>
 void find_change(double g, double half, Work<Dim>& w) {
-  const Reader<Dim> read = reader(w, g);
   const std::ptrdiff_t step = w.window.stride(Axis);
   double* change = w.ahead.change[Axis];
-  for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
-#pragma omp simd
-    for (int i = 0; i < width; ++i) {
-      const std::ptrdiff_t k = first + i;
-      const auto v = read.at(k);
-      const auto rate = rate_along<Dim, Axis>(v, read.slope(k, step), v[Components<Dim>::u + Axis],
-                                              read.response(k, w.ahead.loading));
-      for (std::size_t c = 0; c < rate.size(); ++c) change[c * w.wide + k] = half * rate[c];
-    }
-    clear_behind(w, first + width, change);
+  with_reader(w, g, [&](const auto& read) {
+    for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
+      find_row_change<Dim, Axis>(read, w.ahead.loading, step, first, width, half, change);
+      clear_behind(w, first + width, change);
+    });
   });
 }
 
 /// The changes of half a step by the widening of rings.
 void find_ring_change(double g, double half, Work<2>& w) {
-  const Reader<2> read = reader(w, g);
+  const Reader<2, false> read{w.primitive, w.impedance, nullptr, w.wide, 0.5 / w.grid.dx, g};
   for_each_row(w, [&](const Index<2>& r, std::ptrdiff_t first, int width) {
     for (int i = 0; i < width; ++i) {
       const std::ptrdiff_t k = first + i;
@@ -183,8 +194,7 @@ void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& w, Scratch& scr
   w.ahead.per_dx = dt / w.grid.dx;
   w.ahead.loading = scratch.take_filled<double>(w.wide + vector_length, 0);
   find_open(w, scratch);
-  if (has_strength(body.material.strength))
-    std::visit([&](const auto& strength) { find_loading(strength, body, w); }, body.material.strength);
+  if (has_strength(body.material.strength)) find_loading(body, w);
   for_each_axis<Dim>([&](auto axis) {
     w.ahead.change[axis] = scratch.take<double>(n);
     find_change<Dim, axis>(g, 0.5 * dt, w);
@@ -208,8 +218,7 @@ void move_to_midstep(Work<Dim>& w) {
     for_each(rows, [&](const Index<Dim>& r) {
       for (std::size_t c = 0; c < C::primitives; ++c) {
         const std::size_t first = c * w.wide + static_cast<std::size_t>(w.window.at(r));
-#pragma omp simd
-        for (int i = 0; i < width; ++i) w.primitive[first + i] += change[first + i];
+        add_scaled(width, 1, change + first, w.primitive + first);
       }
     });
   }

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 
+#include "core/constants.hpp"
 #include "core/error.hpp"
+#include "core/multiversion.hpp"
 #include "dynamics/flux.hpp"
 #include "state/rim_fluxes.hpp"
 
@@ -37,6 +39,16 @@ template <int Dim>
   gradient[Dim * n] -= uz * plane;
   const double hoop = -value[C::p * wide] - value[C::s * wide] - value[(C::s + 1) * wide];
   rate[C::u * n] -= hoop * plane;
+}
+
+/// take_off_widening() of a row of cells.
+template <int Dim>
+RECOIL_MULTIVERSION void take_off_widenings(int count, const double* value, std::size_t wide,
+                                            const double* ur, const double* uz, const double* plane,
+                                            double* gradient, double* rate, std::size_t n) {
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i)
+    take_off_widening<Dim>(value + i, wide, ur[i], uz[i], plane[i], gradient + i, rate + i, n);
 }
 
 /// A cut cell reads the velocity from its wall where its r-faces are not open.
@@ -84,10 +96,7 @@ void axisymmetric_sources(const BodyBlock<Dim>& b, Work<Dim>& w) {
                                   : b.geometry.kind[cell + i] == CellKind::full;
         plane[i] = full ? area : 0;
       }
-#pragma omp simd
-      for (int i = 0; i < count; ++i)
-        take_off_widening<Dim>(value + i, w.wide, ur[i], uz[i], plane[i], w.gradient + k + i, w.rate + k + i,
-                               w.n);
+      take_off_widenings<Dim>(count, value, w.wide, ur, uz, plane.data(), w.gradient + k, w.rate + k, w.n);
     }
   });
   if (w.whole) return;
@@ -102,25 +111,39 @@ template <int Dim>
                                                const double* L, double* rate, std::size_t n) {
   using C = Components<Dim>;
   const double rho = value[C::rho * wide];
-  std::array<double, Dim * Dim> l, full;
-  for (std::size_t c = 0; c < l.size(); ++c) l[c] = L[c * n];
-  for (int i = 0; i < Dim; ++i)
-    for (int j = 0; j < Dim; ++j) {
-      const int c = C::stress(i, j);
-      full[i * Dim + j] =
-          c >= 0 ? value[(C::s + c) * wide] : -(value[C::s * wide] + value[(C::s + 1) * wide]);
-    }
-  const auto at = [](const auto& m, int i, int j) { return m[i * Dim + j]; };
-  for (int i = 0; i < Dim; ++i)
-    for (int j = i; j < Dim; ++j) {
-      const int c = C::stress(i, j);
-      if (c < 0) continue;
-      double sum = g * (at(l, i, j) + at(l, j, i)) - (i == j ? 2 * g * trace / 3 : 0);
-      for (int m = 0; m < Dim; ++m)
-        sum += 0.5 * (at(l, i, m) - at(l, m, i)) * at(full, m, j) -
-               at(full, i, m) * (0.5 * (at(l, m, j) - at(l, j, m)));
-      rate[(C::s + c) * n] += rho * sum;
-    }
+  // Axes are constants to the compiler: it leaves loops over cells with loops over axes in them as they are.
+  std::array<double, Dim * Dim> l, stress;
+  for_each_axis<Dim>([&](auto i) RECOIL_INLINE {
+    for_each_axis<Dim>([&](auto j) RECOIL_INLINE {
+      constexpr int c = C::stress(i, j);
+      l[i * Dim + j] = L[(i * Dim + j) * n];
+      if constexpr (c >= 0)
+        stress[i * Dim + j] = value[(C::s + c) * wide];
+      else
+        stress[i * Dim + j] = -(value[C::s * wide] + value[(C::s + 1) * wide]);
+    });
+  });
+  for_each_axis<Dim>([&](auto i) RECOIL_INLINE {
+    for_each_axis<Dim>([&](auto j) RECOIL_INLINE {
+      constexpr int c = C::stress(i, j);
+      if constexpr (j >= i && c >= 0) {
+        double sum = g * (l[i * Dim + j] + l[j * Dim + i]) - (i == j ? 2 * g * trace / 3 : 0);
+        for_each_axis<Dim>([&](auto m) RECOIL_INLINE {
+          sum += 0.5 * (l[i * Dim + m] - l[m * Dim + i]) * stress[m * Dim + j] -
+                 stress[i * Dim + m] * (0.5 * (l[m * Dim + j] - l[j * Dim + m]));
+        });
+        rate[(C::s + c) * n] += rho * sum;
+      }
+    });
+  });
+}
+
+/// stress_rate() of a row of cells.
+template <int Dim>
+RECOIL_MULTIVERSION void stress_rates(double g, int count, const double* trace, const double* value,
+                                      std::size_t wide, const double* L, double* rate, std::size_t n) {
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) stress_rate<Dim>(g, trace[i], value + i, wide, L + i, rate + i, n);
 }
 
 /// A face of a finer block at its place in a side.
@@ -232,10 +255,13 @@ void add_sources(const BodyBlock<Dim>& b, double g, Work<Dim>& w, Scratch& scrat
   for_each(rows, [&](const Index<Dim>& r) {
     const double* value = w.primitive + w.window.at(r);
     const auto k = w.cells.at(r);
-    const double *L = w.gradient + k, *t = trace + k;
-    double* rate = w.rate + k;
-#pragma omp simd
-    for (int i = 0; i < width; ++i) stress_rate<Dim>(g, t[i], value + i, w.wide, L + i, rate + i, w.n);
+    if (w.shear) {
+      const double* shear = w.shear + w.window.at(r);
+      for (int i = 0; i < width; ++i)
+        stress_rate<Dim>(shear[i], trace[k + i], value + i, w.wide, w.gradient + k + i, w.rate + k + i, w.n);
+      return;
+    }
+    stress_rates<Dim>(g, width, trace + k, value, w.wide, w.gradient + k, w.rate + k, w.n);
   });
 }
 

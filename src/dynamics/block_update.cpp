@@ -12,6 +12,7 @@
 #include "dynamics/block_half_step.hpp"
 #include "dynamics/block_sources.hpp"
 #include "dynamics/face_sweep.hpp"
+#include "dynamics/stiffness/shear_modulus.hpp"
 #include "material/eos/any_eos.hpp"
 
 namespace recoil {
@@ -60,6 +61,17 @@ void find_failed(Work<Dim>& w, Scratch& scratch) {
     w.failed[k] = damage[k] < failed_damage ? intact : p[k] != 0 ? failed_matter : with_void;
 }
 
+/// The shear modulus of the window's cells, where it follows the state.
+template <int Dim>
+void find_shear_moduli(const Body<Dim>& body, Work<Dim>& w, Scratch& scratch) {
+  w.shear = scratch.take<double>(w.wide + vector_length);
+  for (std::size_t k = 0; k < w.wide; ++k) {
+    Primitives<Dim> v;
+    for (std::size_t c = 0; c < v.size(); ++c) v[c] = w.primitive[c * w.wide + k];
+    w.shear[k] = shear_modulus_of(body, v);
+  }
+}
+
 template <int Dim>
 void gather_values(const Body<Dim>& body, int slot, const AnyEos& eos, double shear_modulus, Work<Dim>& w,
                    Scratch& scratch) {
@@ -75,11 +87,21 @@ void gather_values(const Body<Dim>& body, int slot, const AnyEos& eos, double sh
   const double* rho = w.primitive;
   eos.sound_speeds_squared(rho, w.primitive + C::p * w.wide, w.primitive + C::crushed * w.wide, w.wide,
                            w.impedance);
-#pragma omp simd
-  for (std::size_t k = 0; k < w.wide; ++k) {
-    const double c2 = w.impedance[k];
-    w.impedance[k] = rho[k] * std::sqrt((c2 > least ? c2 : least) + 4 * shear_modulus / (3 * rho[k]));
-  }
+  const auto count = static_cast<int>(w.wide);
+  if (modulus_follows(body.material.strength)) find_shear_moduli(body, w, scratch);
+  detail::find_impedances(count, rho, least, w.shear ? 0.0 : shear_modulus, w.impedance);
+  if (w.shear) detail::add_shear_impedance(count, w.shear, rho, w.impedance);
+}
+
+/// Says where MP5 reconstructs: in matter that never yields, where the cell's own average stands in the
+/// stencil. In matter that yields it would ring behind plastic shocks, or cost more than it gives where it
+/// may not; with ghost values in its stencils a disc gains spin (docs/decisions/0038).
+template <int Dim>
+void find_never_yielding(const Body<Dim>& body, Work<Dim>& w, Scratch& scratch) {
+  if (w.fails || !std::holds_alternative<Elastic>(body.material.strength)) return;
+  w.never_yields = scratch.take_filled<std::uint8_t>(w.wide + vector_length, 1);
+  if (!w.role) return;
+  for (std::size_t k = 0; k < w.wide; ++k) w.never_yields[k] = (w.role[k] & regular) != 0;
 }
 
 /// Where pores are being crushed, waves of loading run along the crush curve, not along the elastic branch:
@@ -117,12 +139,8 @@ void add_rates(BodyBlock<Dim>& b, const Work<Dim>& w, double dt) {
   const int width = w.cells.extent(0);
   for_each(rows, [&](const Index<Dim>& r) {
     const int from = w.cells.at(r), to = w.window.cell(r);
-    for (std::size_t c = 0; c < w.carried(); ++c) {
-      const double* rate = w.rate + c * w.n + from;
-      double* q = b.contents.data() + c * all + to;
-#pragma omp simd
-      for (int i = 0; i < width; ++i) q[i] += dt * rate[i];
-    }
+    for (std::size_t c = 0; c < w.carried(); ++c)
+      detail::add_scaled(width, dt, w.rate + c * w.n + from, b.contents.data() + c * all + to);
   });
 }
 
@@ -152,6 +170,7 @@ void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slo
   w.whole = cells == Cells::whole;
   gather_values(body, slot, eos, g, w, scratch);
   if (Scheme::by_cells && eos.porous) soften_crushing(*eos.porous, g, w);  // LLF needs the fastest signal
+  if (Shear && Scheme::by_cells && !w.whole && !eos.porous) find_never_yielding(body, w, scratch);
   if (faces == FaceTime::midstep) detail::find_half_step(body, dt, w, scratch);
   w.rate = scratch.take_filled<double>(w.n * C::contents, 0);
   w.gradient = scratch.take_filled<double>(w.n * Dim * Dim, 0);

@@ -28,9 +28,11 @@ struct Work {
   Box<Dim> cells;               // of the block that hold matter
   std::size_t n = 0, wide = 0;  // of those cells, of the window's
   double *primitive = nullptr, *impedance = nullptr, *stress = nullptr;
+  double* shear = nullptr;                 // shear modulus; null: the same in every state
   std::uint8_t* role = nullptr;            // null where every cell has a value
   bool fails = false;                      // the matter can fail
   std::uint8_t* failed = nullptr;          // FailedCell of each cell of the window; null: nothing has failed
+  std::uint8_t* never_yields = nullptr;    // 1 where matter never yields; null: nowhere
   bool whole = false;                      // cells are whole and real, or not there at all (ghost fluid)
   const LevelSides<Dim>* sides = nullptr;  // null: all blocks around are of its level
   HalfStep ahead{};                        // dt 0: three stages
@@ -43,8 +45,8 @@ struct Work {
   std::size_t carried() const { return carried_contents<Dim>(fails); }
 
   Row<Dim> row(std::ptrdiff_t first, std::ptrdiff_t step, int count) const {
-    return {primitive, stress, impedance, wide, first, step, count, ahead.dt > 0 ? &ahead : nullptr,
-            fails,     failed};
+    return {primitive, stress, impedance,    wide, first, step, count, ahead.dt > 0 ? &ahead : nullptr,
+            fails,     failed, never_yields, shear};
   }
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/multiversion.hpp"
 #include "dynamics/face_values.hpp"
 #include "dynamics/half_step.hpp"
 #include "dynamics/plastic_return.hpp"
@@ -38,7 +39,7 @@ struct Passed {
 /// `speed(i)` [cells per step] of the waves to both sides, `ride(i)` of the matter.
 template <class Speed, class Ride>
 [[gnu::always_inline]] inline void find_passed(int count, const Speed& speed, const Ride& ride, Passed& out) {
-#pragma omp simd
+#pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double c = speed(i), u = ride(i);
     out.high[i] = part_passed(c + u);
@@ -48,7 +49,7 @@ template <class Speed, class Ride>
 
 /// What rides with the matter: both ends, where it flows out through them.
 inline void move_riding(int count, const Passed& passed, const double* mean, double* low, double* high) {
-#pragma omp simd
+#pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double l = low[i], h = high[i];
     high[i] = mean_leaving(h, l, mean[i], passed.high[i]);
@@ -62,7 +63,7 @@ template <class Impedance>
 [[gnu::always_inline]] inline void move_waves(int count, const Passed& passed, const Impedance& impedance,
                                               const double* stress, const double* u, double* stress_low,
                                               double* stress_high, double* u_low, double* u_high) {
-#pragma omp simd
+#pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double z = impedance(i), half = 0.5 / z;
     const double sl = stress_low[i], sh = stress_high[i], ul = z * u_low[i], uh = z * u_high[i];
@@ -86,7 +87,7 @@ template <int Dim, int Axis, class Speed>
   using C = Components<Dim>;
   double* rho = w.value[C::rho] + to;
   const double* stress = w.stress + to;
-#pragma omp simd
+#pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double c = speed(i), strain = (stress[i] - ridden[i]) / (rho_mean[i] * c * c);
     const double stiffness = loading[i] > 0 ? 0.0 : g;
@@ -109,7 +110,7 @@ void move_shear(const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim
     for (const int c : {C::u + t, C::s + C::stress(Axis, t)}) {
       const double* change = in.ahead->change[Axis] + c * in.cells + in.first;
       double *l = low.value[c] + to, *h = high.value[c] + to;
-#pragma omp simd
+#pragma GCC ivdep
       for (int i = 0; i < in.count; ++i) {
         l[i] += change[i];
         h[i] += change[i];
@@ -120,8 +121,8 @@ void move_shear(const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim
 
 /// The values of one row of cells at both faces: waves averaged over the step.
 template <int Dim, int Axis, bool Shear>
-void move_by_waves(double g, bool has_extra, const Row<Dim>& in, int to, FaceValues<Dim>& low,
-                   FaceValues<Dim>& high) {
+[[gnu::flatten]] RECOIL_MULTIVERSION void move_by_waves(double g, bool has_extra, const Row<Dim>& in, int to,
+                                                        FaceValues<Dim>& low, FaceValues<Dim>& high) {
   using C = Components<Dim>;
   const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
   const double *rho = of(C::rho), *u = of(C::u + Axis), *z = in.impedance + in.first,
@@ -147,7 +148,7 @@ void move_by_waves(double g, bool has_extra, const Row<Dim>& in, int to, FaceVal
       if (t != Axis) plain(C::u + t);
 
   alignas(64) double ridden_low[row_room], ridden_high[row_room];
-#pragma omp simd
+#pragma GCC ivdep
   for (int i = 0; i < in.count; ++i) {
     const double l = low.stress[i + to], h = high.stress[i + to];
     ridden_high[i] = mean_leaving(h, l, stress[i], passed.high[i]);
@@ -229,7 +230,7 @@ template <int Dim, int Axis>
 
 /// Adds what half a step by the other axes changes to a row of values.
 template <int Dim, int Axis>
-void add_transverse(const Row<Dim>& in, int to, FaceValues<Dim>& w) {
+[[gnu::flatten]] RECOIL_MULTIVERSION void add_transverse(const Row<Dim>& in, int to, FaceValues<Dim>& w) {
   using C = Components<Dim>;
   for_each_transverse<Axis>(*in.ahead, [&](const double* change) {
     const auto of = [&](std::size_t c) { return change + c * in.cells + in.first; };
@@ -237,18 +238,18 @@ void add_transverse(const Row<Dim>& in, int to, FaceValues<Dim>& w) {
       if (c == C::p || (c >= in.carried() && c < C::contents)) continue;
       const double* t = of(c);
       double* v = w.value[c] + to;
-#pragma omp simd
+#pragma GCC ivdep
       for (int i = 0; i < in.count; ++i) v[i] += t[i];
     }
     const double* p = of(C::p);
     double* stress = w.stress + to;
     if constexpr (Dim == 3 && Axis == 2) {
       const double *xx = of(C::s), *yy = of(C::s + 1);
-#pragma omp simd
+#pragma GCC ivdep
       for (int i = 0; i < in.count; ++i) stress[i] -= xx[i] + yy[i] + p[i];
     } else {
       const double* s = of(C::s + C::stress(Axis, Axis));
-#pragma omp simd
+#pragma GCC ivdep
       for (int i = 0; i < in.count; ++i) stress[i] += s[i] - p[i];
     }
   });

@@ -67,7 +67,7 @@ void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t a
     if (!has[s]) from[s] = from[s - 1];
   std::array<double, 6 * C::primitives> value{};
   std::array<std::array<double, 6 * C::primitives>, 4> change{};
-  std::array<double, 6> stress{}, impedance{}, loading{};
+  std::array<double, 6> stress{}, impedance{}, loading{}, shear{};
   for (std::size_t s = 0; s < 6; ++s) {
     for (std::size_t c = 0; c < C::primitives; ++c) {
       value[c * 6 + s] = w.primitive[c * w.wide + from[s]];
@@ -77,12 +77,14 @@ void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t a
     stress[s] = w.stress[from[s]];
     impedance[s] = w.impedance[from[s]];
     if (w.ahead.loading) loading[s] = w.ahead.loading[from[s]];
+    if (w.shear) shear[s] = w.shear[from[s]];
   }
   HalfStep ahead{w.ahead.dt, w.ahead.per_dx, loading.data(), {}};
   for (std::size_t d = 0; d < change.size(); ++d)
     if (w.ahead.change[d]) ahead.change[d] = change[d].data();
-  const Row<Dim> row{
-      value.data(), stress.data(), impedance.data(), 6, 3, 1, 1, ahead.dt > 0 ? &ahead : nullptr, w.fails};
+  Row<Dim> row{value.data(), stress.data(), impedance.data(), 6, 3, 1, 1, ahead.dt > 0 ? &ahead : nullptr,
+               w.fails};
+  if (w.shear) row.shear = shear.data();
   counters.first_order_faces += Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out);
 }
 
@@ -157,15 +159,11 @@ void add_fluxes(const Faces<Dim>& in, Work<Dim>& w) {
     const double *low = area + f, *high = area + f + next;
     for (std::size_t c = 0; c < w.carried(); ++c) {
       const double* q = flux + c * nf + f;
-      double* out = w.rate + c * w.n + k;
-#pragma omp simd
-      for (int i = 0; i < cell_width; ++i) out[i] += low[i] * q[i] - high[i] * q[i + next];
+      add_difference(cell_width, low, q, high, q + next, w.rate + c * w.n + k);
     }
     for (std::size_t d = 0; d < Dim; ++d) {
       const double* u = velocity + d * nf + f;
-      double* out = w.gradient + (d * Dim + Axis) * w.n + k;
-#pragma omp simd
-      for (int i = 0; i < cell_width; ++i) out[i] += high[i] * u[i + next] - low[i] * u[i];
+      add_difference(cell_width, high, u + next, low, u, w.gradient + (d * Dim + Axis) * w.n + k);
       if (w.grid.axisymmetric && Axis == 0)
         for (int i = 0; i < cell_width; ++i) w.radial[d * w.n + k + i] = 0.5 * (u[i] + u[i + next]);
     }

@@ -29,7 +29,9 @@ void relieve_averages(const State<Dim>& state, Body<Dim>& body, int slot) {
         if constexpr (!EosModel::barotropic) std::fill_n(b.average.begin() + C::extra * n, n, 0.0);
         for_each(cells, [&](const Index<Dim>& i) {
           const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-          if ((b.role[k] & donates) == 0 || !(b.average[C::damage * n + k] >= failed_damage)) return;
+          double& damage = b.average[C::damage * n + k];
+          if ((b.role[k] & donates) == 0 || !(damage >= failed_damage)) return;
+          damage = std::min(damage, 1.0);  // what it has beyond 1 within a step stays in its cell
           Primitives<Dim> w;
           for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.average[c * n + k];
           if (!relieve<Dim>(eos, w)) return;
@@ -61,7 +63,7 @@ bool FailingCell<Dim>::relieve() {
   const double mass = at(C::rho);
   if (!(mass > 0 && volume_ > 0) || damage() < failed_damage || !(pressure() < 0)) return false;
   for (int c = C::s; c < C::ep; ++c) at(c) = 0;
-  at(C::damage) = mass;
+  at(C::damage) = std::max(at(C::damage), mass);
   return true;
 }
 
@@ -76,28 +78,73 @@ void FailingCell<Dim>::bear_less(double pressure) {
 }
 
 template <int Dim>
-int FailingCell<Dim>::grow(double dt, double strain_growth) {
+DamagePoint FailingCell<Dim>::point() {
+  using C = Components<Dim>;
+  const double mass = at(C::rho), rho = mass / volume_;
+  const double* s = q_ + C::s * stride_;
+  const double square = equivalent_stress_squared<Dim>(s, stride_) / (mass * mass);
+  DamagePoint p{.damage = damage(), .pressure = pressure(), .equivalent = std::sqrt(square)};
+  p.principal = largest_principal_deviator<Dim>(s, stride_) / mass - p.pressure;
+  const double e = internal_energy() - distortion_energy(square, shear_modulus(body_.material), rho);
+  p.temperature = body_.temperature(rho, e, at(C::temperature_rise) / mass);
+  return p;
+}
+
+template <int Dim>
+int FailingCell<Dim>::grow(double dt, double strain_growth, double most) {
+  if (!(at(Components<Dim>::rho) > 0 && volume_ > 0)) return 0;
+  DamagePoint now;
+  if (damage() < most && !fails_at_once(body_.material.damage)) now = point();
+  now.strain_growth = strain_growth;
+  now.dt = dt;
+  return grow(now, most);
+}
+
+template <int Dim>
+int FailingCell<Dim>::grow(const DamagePoint& by, double most) {
   using C = Components<Dim>;
   const double mass = at(C::rho);
   if (!(mass > 0 && volume_ > 0)) return 0;
   const double before = damage();
-  const double kept = std::clamp(before, 0.0, 1.0);
-  const int clamped = before < -over_failed || before > 1 + over_failed ? 1 : 0;
-  DamagePoint point{.damage = kept, .pressure = pressure(), .strain_growth = strain_growth, .dt = dt};
+  const double kept = std::clamp(before, 0.0, most);
+  const int clamped = before < -over_failed || before > most + over_failed ? 1 : 0;
   double after = kept;
-  if (kept < 1) {
-    const double* s = q_ + C::s * stride_;
-    const double square = equivalent_stress_squared<Dim>(s, stride_) / (mass * mass), rho = mass / volume_;
-    point.equivalent = std::sqrt(square);
-    point.principal = largest_principal_deviator<Dim>(s, stride_) / mass - point.pressure;
-    const double e = internal_energy() - distortion_energy(square, shear_modulus(body_.material), rho);
-    point.temperature = body_.temperature(rho, e, at(C::temperature_rise) / mass);
-    after = std::min(
-        1.0, kept + std::visit([&](const auto& m) { return m.growth(point); }, body_.material.damage));
+  if (kept < most && !fails_at_once(body_.material.damage)) {
+    DamagePoint now = by;
+    now.damage = kept;
+    after = std::min(most,
+                     kept + std::visit([&](const auto& m) { return m.growth(now); }, body_.material.damage));
   }
   at(C::damage) = after * mass;
-  if (after >= failed_damage && !damage_dependent(body_.material.strength)) bear_less(point.pressure);
+  if (after >= failed_damage && !damage_dependent(body_.material.strength)) bear_less(pressure());
   return clamped;
+}
+
+template <int Dim>
+bool FailingCell<Dim>::fail_at_once() {
+  if (!(at(Components<Dim>::rho) > 0 && volume_ > 0) || has_failed()) return false;
+  return fail_at_once(point());
+}
+
+template <int Dim>
+bool FailingCell<Dim>::fail_at_once(const DamagePoint& now) {
+  using C = Components<Dim>;
+  if (!(at(C::rho) > 0 && volume_ > 0) || has_failed()) return false;
+  if (!(std::visit([&](const auto& m) { return m.growth(now); }, body_.material.damage) > 0)) return false;
+  at(C::damage) = at(C::rho);
+  if (!damage_dependent(body_.material.strength)) bear_less(pressure());
+  return true;
+}
+
+template <int Dim>
+void FailingCell<Dim>::note(double full, double strain_growth, double* drive) {
+  using C = Components<Dim>;
+  if (!(at(C::rho) > 0 && volume_ > 0)) return;
+  DamagePoint now = point();
+  now.strain_growth = strain_growth;
+  if (has_failed() && now.pressure < 0) now.pressure = now.principal = now.equivalent = 0;
+  const DamageDrive::Values values = DamageDrive::of(now, volume_ / full);
+  for (std::size_t c = 0; c < values.size(); ++c) drive[c * stride_] = values[c];
 }
 
 template void relieve_averages<1>(const State<1>&, Body<1>&, int);

@@ -7,6 +7,7 @@
 
 #include "field/components.hpp"
 #include "material/damage/damage.hpp"
+#include "material/damage/damage_drive.hpp"
 #include "state/body.hpp"
 
 /// Failed matter: what has a damage of failed_damage or more bears no tension. Where the equation of state
@@ -79,9 +80,18 @@ class FailingCell {
   /// Takes the stress off failed matter that would be in tension. @returns whether it was so.
   bool relieve();
   /// Lets damage grow over dt [s] in which the plastic strain grew by `strain_growth`, and failed matter
-  /// yield under what it still bears. @returns 1 where a damage outside of 0 to 1 was set to the bound.
-  int grow(double dt, double strain_growth);
+  /// yield under what it still bears. @returns 1 where a damage outside of 0 to `most` was set to the bound.
+  int grow(double dt, double strain_growth, double most = 1);
+  /// The same by a given state, such as a mean of cells, with its length of time.
+  int grow(const DamagePoint& now, double most = 1);
   bool has_failed() { return damage() >= failed_damage; }
+  /// Of matter whose damage model has no rate, at the end of a step. @returns whether it fails now.
+  bool fail_at_once();
+  bool fail_at_once(const DamagePoint& now);
+  /// Writes what its damage would grow by to `drive` [DamageDrive::components], as far apart as the contents;
+  /// nothing where there is no matter.
+  /// @param full volume of the whole cell [m^Dim].
+  void note(double full, double strain_growth, double* drive);
 
  private:
   double& at(int c) { return q_[static_cast<std::size_t>(c) * stride_]; }
@@ -89,6 +99,7 @@ class FailingCell {
   double internal_energy();  // J/kg
   double pressure();         // Pa
   void bear_less(double pressure);
+  DamagePoint point();
 
   const Body<Dim>& body_;
   double* q_;

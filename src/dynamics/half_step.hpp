@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "core/constants.hpp"
 #include "core/vec.hpp"
 #include "field/components.hpp"
 
@@ -27,6 +28,18 @@ template <int Dim, class Values>
   return c >= 0 ? w[C::s + c] : -(w[C::s] + w[C::s + 1]);
 }
 
+/// The same with indices that are constants (core/constants.hpp).
+template <int Dim, int i, int j, class Values>
+RECOIL_INLINE constexpr double deviator(const Values& w, std::integral_constant<int, i>,
+                                        std::integral_constant<int, j>) {
+  using C = Components<Dim>;
+  constexpr int c = C::stress(i, j);
+  if constexpr (c >= 0)
+    return w[C::s + c];
+  else
+    return -(w[C::s] + w[C::s + 1]);
+}
+
 /// Rates of the primitives at a fixed place in the frame of `speed` by their derivatives along one axis:
 /// -(u_a - speed) dw/dx_a and what the gradient does,
 ///   rho_t = -rho du_a/dx_a, u_i,t = (dS_ia/dx_a - delta_ia dp/dx_a)/rho, p_t = -rho c_b^2 du_a/dx_a,
@@ -38,32 +51,36 @@ template <int Dim, int a>
                                                          const Primitives<Dim>& slope, double ride,
                                                          const Response& m) {
   using C = Components<Dim>;
+  constexpr std::integral_constant<int, a> axis;
   Primitives<Dim> r;
-  for (std::size_t c = 0; c < r.size(); ++c) r[c] = -ride * slope[c];
+  for_each_constant<C::primitives>([&](auto c) RECOIL_INLINE { r[c] = -ride * slope[c]; });
   const double stretch = slope[C::u + a], per_rho = 1 / w[C::rho];
   r[C::rho] -= w[C::rho] * stretch;
   r[C::p] -= m.bulk * stretch;
-  for (int i = 0; i < Dim; ++i)
-    r[C::u + i] += (deviator<Dim>(slope, i, a) - (i == a ? slope[C::p] : 0.0)) * per_rho;
+  for_each_axis<Dim>([&](auto i) RECOIL_INLINE {
+    r[C::u + i] += (deviator<Dim>(slope, i, axis) - (i == a ? slope[C::p] : 0.0)) * per_rho;
+  });
   // L has the one column a: D_ij = (delta_ja L_i + delta_ia L_j)/2, W_ij = (delta_ja L_i - delta_ia L_j)/2.
   double flow = 0;  // n:D/|S|
-  for (int i = 0; i < Dim; ++i) flow += deviator<Dim>(w, i, a) * slope[C::u + i];
+  for_each_axis<Dim>([&](auto i) RECOIL_INLINE { flow += deviator<Dim>(w, i, axis) * slope[C::u + i]; });
   flow *= m.loading * m.loading;
-  for (int i = 0; i < Dim; ++i)
-    for (int j = i; j < Dim; ++j) {
-      const int c = C::stress(i, j);
-      if (c < 0) continue;
-      const double li = slope[C::u + i], lj = slope[C::u + j];
-      double sum = m.shear * ((j == a ? li : 0.0) + (i == a ? lj : 0.0) - (i == j ? 2.0 / 3 * stretch : 0.0) -
-                              2 * flow * w[C::s + c]);
-      for (int k = 0; k < Dim; ++k) {
-        const double lk = slope[C::u + k];
-        const double w_ik = 0.5 * ((k == a ? li : 0.0) - (i == a ? lk : 0.0)),
-                     w_kj = 0.5 * ((j == a ? lk : 0.0) - (k == a ? lj : 0.0));
-        sum += w_ik * deviator<Dim>(w, k, j) - deviator<Dim>(w, i, k) * w_kj;
+  for_each_axis<Dim>([&](auto i) RECOIL_INLINE {
+    for_each_axis<Dim>([&](auto j) RECOIL_INLINE {
+      constexpr int c = C::stress(i, j);
+      if constexpr (j >= i && c >= 0) {
+        const double li = slope[C::u + i], lj = slope[C::u + j];
+        double sum = m.shear * ((j == a ? li : 0.0) + (i == a ? lj : 0.0) -
+                                (i == j ? 2.0 / 3 * stretch : 0.0) - 2 * flow * w[C::s + c]);
+        for_each_axis<Dim>([&](auto k) RECOIL_INLINE {
+          const double lk = slope[C::u + k];
+          const double w_ik = 0.5 * ((k == a ? li : 0.0) - (i == a ? lk : 0.0)),
+                       w_kj = 0.5 * ((j == a ? lk : 0.0) - (k == a ? lj : 0.0));
+          sum += w_ik * deviator<Dim>(w, k, j) - deviator<Dim>(w, i, k) * w_kj;
+        });
+        r[C::s + c] += sum;
       }
-      r[C::s + c] += sum;
-    }
+    });
+  });
   return r;
 }
 
@@ -86,16 +103,10 @@ template <int Dim, int a>
 template <int Dim, int Axis>
 [[gnu::always_inline]] inline double working_along(const Primitives<Dim>& w, const Primitives<Dim>& slope) {
   double sum = 0;
-  for (int i = 0; i < Dim; ++i) sum += deviator<Dim>(w, i, Axis) * slope[Components<Dim>::u + i];
+  for_each_axis<Dim>([&](auto i) RECOIL_INLINE {
+    sum += deviator<Dim>(w, i, std::integral_constant<int, Axis>{}) * slope[Components<Dim>::u + i];
+  });
   return sum;
-}
-
-/// f(constant) for every axis, its number as a compile-time constant.
-template <int Dim, class F>
-[[gnu::always_inline]] constexpr void for_each_axis(F&& f) {
-  f(std::integral_constant<int, 0>{});
-  if constexpr (Dim > 1) f(std::integral_constant<int, 1>{});
-  if constexpr (Dim > 2) f(std::integral_constant<int, 2>{});
 }
 
 }  // namespace recoil

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <variant>
 
+#include "core/multiversion.hpp"
 #include "cutcell/moves_view.hpp"
 
 namespace recoil {
@@ -36,10 +36,42 @@ template <int Dim, class EosModel>
   return !(good | dust);  // true for NaN
 }
 
-/// Matter that can fail has failed where its equation of state ends in tension.
-/// @returns whether it is so.
+/// Fragments of a row of cells, the first one's at `contents` (components n apart) and `volume`.
+template <int Dim>
+struct JudgedRow {
+  const double *contents, *volume;
+  std::size_t n;
+  const Grid<Dim>& grid;
+  Index<Dim> first;
+  bool fails;
+};
+
 template <int Dim, class EosModel>
-bool tear(const EosModel& eos, BodyBlock<Dim>& b, std::size_t k) {
+[[gnu::always_inline]] inline bool is_inadmissible(const EosModel& eos, const JudgedRow<Dim>& row, int c) {
+  using C = Components<Dim>;
+  Index<Dim> i = row.first;
+  i[0] += c;
+  const double* from = row.contents + c;
+  Contents<Dim> q;  // what is judged: mass, momentum, energy, pores, damage
+  for (std::size_t j = 0; j <= C::energy; ++j) q[j] = from[j * row.n];
+  if constexpr (has_pores<EosModel>()) q[C::crushed] = from[C::crushed * row.n];
+  q[C::damage] = row.fails ? from[C::damage * row.n] : 0.0;
+  return (row.volume[c] > least_judged * row.grid.full_volume(i)) &
+         beyond_equations<Dim>(eos, q, row.volume[c]);
+}
+
+template <int Dim, class EosModel>
+RECOIL_MULTIVERSION bool any_inadmissible(const EosModel& eos, const JudgedRow<Dim>& row, int count) {
+  int any = 0;
+#pragma omp simd reduction(| : any)
+  for (int c = 0; c < count; ++c) any |= is_inadmissible(eos, row, c) ? 1 : 0;
+  return any != 0;
+}
+
+/// Matter that can fail has failed where its equation of state ends in tension: its damage becomes
+/// `most_damage`. @returns whether it is so.
+template <int Dim, class EosModel>
+bool tear(const EosModel& eos, BodyBlock<Dim>& b, std::size_t k, double most_damage) {
   using C = Components<Dim>;
   const std::size_t n = b.volume.size();
   const double mass = b.contents[k], rho = mass / b.volume[k];
@@ -51,7 +83,7 @@ bool tear(const EosModel& eos, BodyBlock<Dim>& b, std::size_t k) {
     momentum2 += b.contents[(C::u + d) * n + k] * b.contents[(C::u + d) * n + k];
   const double e = (b.contents[C::energy * n + k] - 0.5 * momentum2 / mass) / mass;
   if (!(matter.pressure(rho, e) < 0)) return false;
-  damage = mass;
+  damage = most_damage * mass;
   return true;
 }
 
@@ -64,7 +96,8 @@ bool inadmissible(const Material& material, const Contents<Dim>& contents, doubl
 }
 
 template <int Dim>
-std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
+std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters,
+                               double most_damage) {
   BodyBlock<Dim>& b = body.at(slot);
   std::int64_t count = 0;
   const Grid<Dim>& grid = state.grid(slot);
@@ -76,29 +109,15 @@ std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slo
   const bool fails = can_fail(body.material.damage);
   std::visit(
       [&](const auto& eos) {
-        const auto is_bad = [&](Index<Dim> i, std::size_t k, int c) {
-          i[0] += c;
-          const std::size_t at = k + static_cast<std::size_t>(c);
-          Contents<Dim> q;  // what is judged: mass, momentum, energy, pores, damage
-          for (std::size_t j = 0; j <= Components<Dim>::energy; ++j) q[j] = b.contents[j * n + at];
-          if constexpr (has_pores<std::remove_cvref_t<decltype(eos)>>())
-            q[Components<Dim>::crushed] = b.contents[Components<Dim>::crushed * n + at];
-          q[Components<Dim>::damage] = fails ? b.contents[Components<Dim>::damage * n + at] : 0.0;
-          return (b.volume[at] > least_judged * grid.full_volume(i)) &
-                 beyond_equations<Dim>(eos, q, b.volume[at]);
-        };
         for_each(rows, [&](const Index<Dim>& i) {
           const auto k = static_cast<std::size_t>(grid.layout().at(i - lo));
           std::uint8_t* role = b.role.data() + k;
-          int any = 0;
-#pragma omp simd reduction(| : any)
+          for (int c = 0; c < width; ++c) role[c] &= static_cast<std::uint8_t>(~has_bad_contents);
+          const JudgedRow<Dim> row{b.contents.data() + k, b.volume.data() + k, n, grid, i, fails};
+          if (!any_inadmissible(eos, row, width)) return;
           for (int c = 0; c < width; ++c) {
-            role[c] &= static_cast<std::uint8_t>(~has_bad_contents);
-            any |= is_bad(i, k, c) ? 1 : 0;
-          }
-          for (int c = 0; any != 0 && c < width; ++c) {
-            if (!is_bad(i, k, c)) continue;
-            if (fails && tear(eos, b, k + static_cast<std::size_t>(c))) {
+            if (!is_inadmissible(eos, row, c)) continue;
+            if (fails && tear(eos, b, k + static_cast<std::size_t>(c), most_damage)) {
               ++counters.torn_states;
               continue;
             }
@@ -123,12 +142,24 @@ void clear_inadmissible(BodyBlock<Dim>& b) {
   for (std::uint8_t& r : b.role) r &= static_cast<std::uint8_t>(~has_bad_contents);
 }
 
+/// Takes what stands in for cells of another size out of a window: it belongs to other cells. Whether a cell
+/// is real is the same for all blocks that see it, so what is shared out is all there is.
+template <int Dim>
+void keep_real_cells(const Mesh<Dim>& mesh, int slot, MovesView<Dim>& p) {
+  if (mesh.is_among_equals(slot)) return;
+  for_each(p.window.box(), [&](const Index<Dim>& i) {
+    const int from = p.window.source_inside(i).slot;
+    if (from >= 0 && mesh.is_stand_in(from)) p.volume[p.window.at(i)] = 0;
+  });
+}
+
 template <int Dim>
 void average_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (b.reach.size() == 0) return;  // nothing is here
-  const MovesView<Dim> p(state, body, slot, 3 * width, scratch);
+  MovesView<Dim> p(state, body, slot, 3 * width, scratch);
+  keep_real_cells(state.mesh, slot, p);
   auto* role = scratch.take<std::uint8_t>(p.window.size());
   p.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
                   Beyond::nothing, role);
@@ -166,11 +197,11 @@ void average_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, in
   });
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                \
-  template bool inadmissible<Dim>(const Material&, const Contents<Dim>&, double);              \
-  template std::int64_t mark_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&); \
-  template bool has_inadmissible<Dim>(const BodyBlock<Dim>&);                                  \
-  template void clear_inadmissible<Dim>(BodyBlock<Dim>&);                                      \
+#define RECOIL_INSTANTIATE(Dim)                                                                        \
+  template bool inadmissible<Dim>(const Material&, const Contents<Dim>&, double);                      \
+  template std::int64_t mark_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, double); \
+  template bool has_inadmissible<Dim>(const BodyBlock<Dim>&);                                          \
+  template void clear_inadmissible<Dim>(BodyBlock<Dim>&);                                              \
   template void average_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int, int, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -17,18 +17,20 @@ bool inadmissible(const Material& material, const Contents<Dim>& contents, doubl
 
 /// Marks (Role::has_bad_contents) the fragments of a block above 0.02 of a cell whose state is inadmissible.
 /// Matter that can fail, and whose equation of state ends in tension, has failed instead: its damage is set
-/// to 1 and counted (torn-states).
+/// to `most_damage` and counted (torn-states).
 /// @returns how many are marked.
 template <int Dim>
-std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
+std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters,
+                               double most_damage = 1);
 template <int Dim>
 bool has_inadmissible(const BodyBlock<Dim>& block);
 template <int Dim>
 void clear_inadmissible(BodyBlock<Dim>& block);
 
 /// Averages every inadmissible state (Role::has_bad_contents) with the fragments up to `width` cells around,
-/// conservatively; where windows overlap, each cell is shared evenly between them. Writes
-/// BodyBlock::updates and leaves the state as it is.
+/// conservatively; where windows overlap, each cell is shared evenly between them. Cells of another size take
+/// no part: a state beside them is averaged with those of its own level alone. Writes BodyBlock::updates and
+/// leaves the state as it is.
 template <int Dim>
 void average_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, int width, Scratch& scratch);
 

@@ -1,19 +1,31 @@
 #include "dynamics/open_voids.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 
 #include "cutcell/moves_view.hpp"
 #include "dynamics/failed_matter.hpp"
 #include "dynamics/primitives.hpp"
+#include "state/alone.hpp"
 #include "state/places.hpp"
 
 namespace recoil {
 
 namespace {
 
-constexpr double whole = 0.98;  // part of a cell from which on it counts as whole
+constexpr double whole = 0.98;         // part of a cell from which on it counts as whole
+constexpr double crowded = 1.1;        // cells of matter in one from which on its level set makes room
+constexpr double free_distance = 2.5;  // [cells] from other bodies, of a fragment that makes room
+
+/// Radius [cells] of a ball (disc, layer) of so many cells.
+template <int Dim>
+double radius_of(double cells) {
+  constexpr double pi = std::numbers::pi;
+  return Dim == 1 ? 0.5 * cells : Dim == 2 ? std::sqrt(cells / pi) : std::cbrt(0.75 * cells / pi);
+}
 
 /// Whether a cell of a body is whole by its volume and by the end-of-step geometry.
 template <int Dim>
@@ -79,10 +91,14 @@ std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slo
   std::int64_t count = 0;
   for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     const double fill = b.volume[k] / state.grid().full_volume(i);
-    if (b.phi[k] < 0.5 * dx || fill < 0.5 || !(b.contents[k] > 0)) return;
-    const double part = std::min(fill * solid_part(body, b, k), 1.0);
-    if (part < 0.5) return;
-    b.phi[k] = (0.5 - part) * dx;
+    if (fill < 0.5 || !(b.contents[k] > 0)) return;
+    const bool makes_room = fill > crowded && b.phi[k] > -radius_of<Dim>(fill) * dx &&
+                            is_alone(state, body, slot, static_cast<int>(k), free_distance);
+    if (b.phi[k] < 0.5 * dx && !makes_room) return;
+    const double solid = fill * solid_part(body, b, k), part = std::min(solid, 1.0);
+    const double wanted = makes_room && solid > crowded ? -radius_of<Dim>(solid) * dx : (0.5 - part) * dx;
+    if (part < 0.5 || wanted >= b.phi[k]) return;
+    b.phi[k] = wanted;
     ++count;
   });
   return count;

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <variant>
 
+#include "dynamics/damage/nonlocal_damage.hpp"
 #include "dynamics/failed_matter.hpp"
 #include "dynamics/primitives.hpp"
+#include "kernels/row_kernels.hpp"
 #include "material/radial_return.hpp"
 
 namespace recoil {
@@ -16,10 +18,22 @@ namespace {
 // What is nearer to its bounds is not counted: plastic strain, heating [K], distension.
 constexpr double least_strain = 1e-6, least_heat = 1e-3, least_distension = 1e-6;
 
+/// A strength model with the shear modulus that it has in a state.
+template <class StrengthModel>
+decltype(auto) in_state(const StrengthModel& model, const YieldState& state) {
+  if constexpr (requires { model.modulus(state); }) {
+    StrengthModel changed = model;
+    changed.shear_modulus = model.modulus(state);
+    return changed;
+  } else {
+    return (model);
+  }
+}
+
 /// One cell: contents q (distance n between components) of a fragment of volume v.
 /// @returns by how much the plastic strain grows.
 template <int Dim, class StrengthModel>
-double return_cell(const StrengthModel& strength, const Body<Dim>& body, double* q, std::size_t n, double v,
+double return_cell(const StrengthModel& at_rest, const Body<Dim>& body, double* q, std::size_t n, double v,
                    double dt) {
   using C = Components<Dim>;
   const double mass = q[C::rho * n], rho = mass / v;
@@ -29,7 +43,7 @@ double return_cell(const StrengthModel& strength, const Body<Dim>& body, double*
   double kinetic = 0;
   for (std::size_t d = 0; d < Dim; ++d) kinetic += q[(C::u + d) * n] * q[(C::u + d) * n];
   const double internal = (q[C::energy * n] - 0.5 * kinetic / mass) / mass;
-  const double e = internal - distortion_energy(trial2, strength.shear_modulus, rho);
+  const double e = internal - distortion_energy(trial2, at_rest.shear_modulus, rho);
   YieldState before{.ep = ep, .temperature = body.temperature(rho, e, q[C::temperature_rise * n] / mass)};
   if constexpr (pressure_dependent<StrengthModel>()) {
     double crushed = q[C::crushed * n] / mass;
@@ -39,6 +53,7 @@ double return_cell(const StrengthModel& strength, const Body<Dim>& body, double*
     before.compression = rho / rest_density(body.material.eos, crushed);
   }
   if constexpr (damage_dependent<StrengthModel>()) before.damage = q[C::damage * n] / mass;
+  const auto& strength = in_state(at_rest, before);
   const double trial = std::sqrt(trial2);
   const double increment = plastic_increment(strength, trial, before, dt);
   if (!(increment > 0)) return 0;
@@ -61,13 +76,22 @@ struct Failing {
 /// return_cell() of matter that can fail.
 template <int Dim, class StrengthModel>
 Failing return_failing(const StrengthModel& strength, const Body<Dim>& body, double* q, std::size_t n,
-                       double v, double dt) {
+                       double v, double dt, double most_damage) {
   FailingCell<Dim> cell(body, q, n, v);
   if (cell.relieve()) return {};
   const bool failed = cell.has_failed();
   const double growth = return_cell<Dim>(strength, body, q, n, v, dt);
-  const int clamped = cell.grow(dt, growth);
+  const int clamped = cell.grow(dt, growth, most_damage);
   return {!failed && cell.has_failed(), clamped};
+}
+
+/// return_failing() of matter whose damage grows by a mean: leaves the damage and notes what it grows by.
+template <int Dim, class StrengthModel>
+void return_noting(const StrengthModel& strength, const Body<Dim>& body, double* q, std::size_t n, double v,
+                   double dt, double full, double* drive) {
+  FailingCell<Dim> cell(body, q, n, v);
+  const double growth = cell.relieve() ? 0 : return_cell<Dim>(strength, body, q, n, v, dt);
+  cell.note(full, growth, drive);
 }
 
 /// Brings one fragment of porous matter back to its crush curve. @returns whether its distension was out of
@@ -96,24 +120,27 @@ void return_fragment(const Body<Dim>& body, Contents<Dim>& contents, double volu
     std::visit(
         [&](const auto& model) {
           if (fails)
-            return_failing<Dim>(model, body, contents.data(), 1, volume, dt);
+            return_failing<Dim>(model, body, contents.data(), 1, volume, dt, 1);
           else
             return_cell<Dim>(model, body, contents.data(), 1, volume, dt);
         },
         strength);
+  if (fails_at_once(body.material.damage)) FailingCell<Dim>(body, contents.data(), 1, volume).fail_at_once();
   if (const auto* eos = std::get_if<Porous>(&body.material.eos))
     crush_cell<Dim>(*eos, contents.data(), 1, volume);
 }
 
 template <int Dim>
-void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt,
-                     BlockLedger<Dim>& ledger) {
+void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt, BlockLedger<Dim>& ledger,
+                     double most_damage) {
   const bool fails = can_fail(body.material.damage);
   if (!has_strength(body.material.strength) && !fails) return;
   BodyBlock<Dim>& b = body.at(slot);
   const auto number = static_cast<std::size_t>(&body - state.bodies.data());
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
+  const bool by_mean = averages_damage(body.material) && !fails_at_once(body.material.damage);
+  if (by_mean) clear_damage_drive(b);
   std::visit(
       [&](const auto& strength) {
         for_each(b.matter, [&](const Index<Dim>& i) {
@@ -124,12 +151,43 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
             return_cell<Dim>(strength, body, q, n, b.volume[k], dt);
             return;
           }
-          const Failing after = return_failing<Dim>(strength, body, q, n, b.volume[k], dt);
+          if (by_mean) {
+            return_noting<Dim>(strength, body, q, n, b.volume[k], dt, state.grid(slot).full_volume(i),
+                               b.damage_drive.data() + k);
+            return;
+          }
+          const Failing after = return_failing<Dim>(strength, body, q, n, b.volume[k], dt, most_damage);
           ledger.counters.clamped_damage += after.clamped_damage;
           if (after.fails_now) ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
         });
       },
       body.material.strength);
+}
+
+template <int Dim>
+void bound_damage(const State<Dim>& state, Body<Dim>& body, int slot) {
+  BodyBlock<Dim>& b = body.at(slot);
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
+  const auto n = static_cast<std::size_t>(layout.size());
+  for_each(b.matter, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+    double& damage = b.contents[Components<Dim>::damage * n + k];
+    if (b.contents[k] > 0 && damage > b.contents[k]) damage = b.contents[k];
+  });
+}
+
+template <int Dim>
+void fail_at_once(const State<Dim>& state, Body<Dim>& body, int slot, BlockLedger<Dim>& ledger) {
+  if (!fails_at_once(body.material.damage)) return;
+  BodyBlock<Dim>& b = body.at(slot);
+  const auto number = static_cast<std::size_t>(&body - state.bodies.data());
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
+  const auto n = static_cast<std::size_t>(layout.size());
+  for_each(b.matter, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+    if (FailingCell<Dim>(body, b.contents.data() + k, n, b.volume[k]).fail_at_once())
+      ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
+  });
 }
 
 template <int Dim>
@@ -181,25 +239,24 @@ void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double
   const Box<Dim> layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
   Box<Dim> rows = b.reach;
-  const auto width = static_cast<std::size_t>(rows.extent(0));
+  const int width = rows.extent(0);
   rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
   for_each(rows, [&](const Index<Dim>& i) {
     const auto first = static_cast<std::size_t>(layout.at(i - state.mesh.block(slot).cells.lo));
-    const auto mix = [&](double* now, const double* old) {
-#pragma omp simd
-      for (std::size_t k = 0; k < width; ++k) now[k] += old_weight * (old[k] - now[k]);
-    };
     for (std::size_t c = 0; c < Components<Dim>::contents; ++c)
-      mix(b.contents.data() + c * n + first, b.contents_old.data() + c * n + first);
-    mix(b.volume.data() + first, b.volume_old.data() + first);
+      detail::mix(width, old_weight, b.contents_old.data() + c * n + first,
+                  b.contents.data() + c * n + first);
+    detail::mix(width, old_weight, b.volume_old.data() + first, b.volume.data() + first);
   });
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                      \
-  template void return_fragment<Dim>(const Body<Dim>&, Contents<Dim>&, double, double);              \
-  template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double, BlockLedger<Dim>&); \
-  template void crush_pores<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);                     \
-  template std::int64_t clear_negative_strain<Dim>(const State<Dim>&, Body<Dim>&, int);              \
+#define RECOIL_INSTANTIATE(Dim)                                                                              \
+  template void return_fragment<Dim>(const Body<Dim>&, Contents<Dim>&, double, double);                      \
+  template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double, BlockLedger<Dim>&, double); \
+  template void bound_damage<Dim>(const State<Dim>&, Body<Dim>&, int);                                       \
+  template void fail_at_once<Dim>(const State<Dim>&, Body<Dim>&, int, BlockLedger<Dim>&);                    \
+  template void crush_pores<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);                             \
+  template std::int64_t clear_negative_strain<Dim>(const State<Dim>&, Body<Dim>&, int);                      \
   template void combine_with_old<Dim>(const State<Dim>&, Body<Dim>&, int, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -10,11 +10,22 @@ namespace recoil {
 /// Radial return of the deviators of one body in one block after a substage of length dt: scales S to the
 /// yield surface, raises ep, and books the plastic heating. The rate of Johnson-Cook is dep/dt of this
 /// substage. Energy, momentum and mass do not change: S and ep carry no budget. Matter that can fail takes
-/// damage by the way, and what has failed bears no tension (dynamics/failed_matter.hpp).
+/// damage by the way, up to `most_damage`, and what has failed bears no tension (dynamics/failed_matter.hpp).
 template <int Dim>
-void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt, BlockLedger<Dim>& ledger);
+void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double dt, BlockLedger<Dim>& ledger,
+                     double most_damage = 1);
 
-/// What return_to_yield() and crush_pores() do to the contents of one fragment of a volume, after dt [s].
+/// Sets what damage has grown beyond 1 in the stages of a step (Stage::most_damage) to 1.
+template <int Dim>
+void bound_damage(const State<Dim>& state, Body<Dim>& body, int slot);
+
+/// Lets the matter of one body in one block fail whose damage model has no rate (fails_at_once()), by the
+/// contents at the end of a step.
+template <int Dim>
+void fail_at_once(const State<Dim>& state, Body<Dim>& body, int slot, BlockLedger<Dim>& ledger);
+
+/// What return_to_yield(), fail_at_once() and crush_pores() do to the contents of one fragment of a volume,
+/// after dt [s].
 template <int Dim>
 void return_fragment(const Body<Dim>& body, Contents<Dim>& contents, double volume, double dt);
 

@@ -8,7 +8,10 @@
 #include <variant>
 #include <vector>
 
+#include "core/multiversion.hpp"
 #include "dynamics/failed_matter.hpp"
+#include "dynamics/stiffness/shear_modulus.hpp"
+#include "material/eos/isentrope.hpp"
 #include "state/places.hpp"
 #include "state/state_error.hpp"
 
@@ -22,6 +25,8 @@ namespace {
 constexpr double least_averaged = 0.1, thinnest_averaged = 0.4, densest_averaged = 1.2;
 constexpr double thinnest_used = 0.4;  // likewise: a fragment below it is of no use to fits and stencils ...
 constexpr double thinnest_failed = 1e-3;  // ... unless it has failed (of rho0): then most of it may be void
+constexpr double near_front =
+    1.5;  // [cells] from a surface of gas, where it may soon run at its escape speed
 
 template <int Dim>
 std::vector<double> point_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
@@ -72,10 +77,10 @@ template <int Dim>
 
 /// One row of cells, all of them donors: the loop that interior blocks run.
 template <int Dim, class EosModel>
-void row_primitives(const EosModel& eos, std::size_t first, std::size_t count, std::size_t n, const double* q,
-                    const double* volume, double* w) {
+RECOIL_MULTIVERSION void row_primitives(const EosModel& eos, std::size_t first, std::size_t count,
+                                        std::size_t n, const double* q, const double* volume, double* w) {
   using C = Components<Dim>;
-#pragma omp simd
+#pragma GCC ivdep
   for (std::size_t k = first; k < first + count; ++k) {
     const double mass = q[k], per_mass = 1 / mass, rho = mass / volume[k];
     double kinetic = 0;
@@ -192,12 +197,20 @@ double gas_surface_speed(const BodyBlock<Dim>& b) {
 }
 
 template <int Dim>
-double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, Counters& counters) {
+double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, double sound,
+                      Counters& counters) {
   using C = Components<Dim>;
   const BodyBlock<Dim>& b = body.at(slot);
   const auto n = static_cast<std::size_t>(state.grid(slot).layout().size());
   const double g = shear_modulus(body.material);
   const bool fails = can_fail(body.material.damage);
+  const bool follows = modulus_follows(body.material.strength);
+  const auto modulus_in = [&](std::size_t k) {
+    Primitives<Dim> w;
+    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.average[c * n + k];
+    return shear_modulus_of(body, w);
+  };
+  const Grid<Dim>& grid = state.grid(slot);
   double fastest = 0;
   std::visit(
       [&](const auto& eos) {
@@ -213,7 +226,12 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
           if (!std::isfinite(sum + c2) || !(rho > 0) || !(dust || matter.admissible(rho)))
             refuse_state(state, body, slot, i - state.mesh.block(slot).cells.lo, rho, p);
           if (c2 < least) ++counters.floored_sound_speeds;
-          sum += Dim * std::sqrt((c2 > least ? c2 : least) + 4 * g / (3 * rho));
+          const double shear = follows ? modulus_in(k) : g;
+          const double still = sum;
+          sum += sound * std::sqrt((c2 > least ? c2 : least) + 4 * shear / (3 * rho));
+          if (is_fluid(body.material.eos) && b.phi[k] > -near_front * grid.dx)
+            if (const auto front = gas_isentrope(body.material.eos, rho, p, 0))
+              sum = std::max(sum, still + front->speed);
           fastest = sum > fastest ? sum : fastest;
         });
       },
@@ -226,7 +244,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
 #define RECOIL_INSTANTIATE(Dim)                                                         \
   template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);       \
   template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&); \
-  template double fastest_signal<Dim>(const State<Dim>&, const Body<Dim>&, int, Counters&);
+  template double fastest_signal<Dim>(const State<Dim>&, const Body<Dim>&, int, double, Counters&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

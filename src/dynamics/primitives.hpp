@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -40,9 +41,11 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
 template <int Dim>
 void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 
-/// Largest sum over axes of (|u_d| + c_L)/dx [1/s] over fragments of at least half a cell.
+/// Largest (sum over axes of |u_d| + sound c_L)/dx [1/s] over fragments of at least half a cell.
+/// @param sound how often the speed of sound counts (sound_in_step)
 template <int Dim>
-double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, Counters& counters);
+double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, double sound,
+                      Counters& counters);
 
 /// The contents of one cell.
 template <int Dim>

@@ -7,9 +7,9 @@
 
 namespace recoil {
 
-/// Brings the copies of other processes' blocks up to date. `pack(slot, bytes)` writes what a block sends,
-/// `unpack(slot, reader)` reads it into the copy, in the same order. Collective; nothing to do on one process
-/// whose blocks have no peers.
+/// Brings the copies of other processes' blocks up to date. `pack(slot, rank, bytes)` writes what a block
+/// sends to a process, `unpack(slot, reader)` reads it into the copy, in the same order. Collective; nothing
+/// to do on one process whose blocks have no peers.
 template <int Dim, class Pack, class Unpack>
 void exchange(const Mesh<Dim>& mesh, const parallel::World& world, Pack&& pack, Unpack&& unpack) {
   if (mesh.peers().empty()) return;
@@ -17,7 +17,7 @@ void exchange(const Mesh<Dim>& mesh, const parallel::World& world, Pack&& pack, 
   std::vector<int> from;
   for (const auto& peer : mesh.peers()) {
     out.push_back({peer.rank, {}});
-    for (const int slot : peer.send) pack(slot, out.back().bytes);
+    for (const int slot : peer.send) pack(slot, peer.rank, out.back().bytes);
     from.push_back(peer.rank);
   }
   const auto in = world.exchange(out, from);

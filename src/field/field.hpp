@@ -28,6 +28,7 @@ enum class Field : std::uint8_t {
   updates,
   contents_sum,
   rims,
+  damage_drive,
   count
 };
 

@@ -109,6 +109,8 @@ class Window {
     }
   }
 
+  static constexpr std::size_t longest = 160;  // block and halo along one axis
+
  private:
   struct Axis {
     int offset, local;
@@ -224,8 +226,6 @@ class Window {
     if constexpr (std::is_same_v<T, double>)
       for (int i = 0; turn_sign && i < run.n; ++i) to[i] = -to[i];
   }
-
-  static constexpr std::size_t longest = 160;  // block and halo along one axis
 
   const Mesh<Dim>& mesh_;
   const Grid<Dim>& grid_;  // of the block's level

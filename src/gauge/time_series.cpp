@@ -81,6 +81,19 @@ double rms_over(const Curve& curve, double from, double to) {
   return std::sqrt(sum / (to - from));
 }
 
+double slope_over(const Curve& curve, double from, double to) {
+  const std::vector<double> t = knots(curve, from, to);
+  if (t.empty()) return nothing;
+  const double middle = 0.5 * (from + to), length = to - from;
+  double moment = 0;  // of the curve about the middle
+  for (std::size_t i = 0; i + 1 < t.size(); ++i) {
+    const double a = value_at(curve, t[i]), b = value_at(curve, t[i + 1]);
+    const double s = t[i] - middle, e = t[i + 1] - middle;
+    moment += (t[i + 1] - t[i]) * (a * (2 * s + e) + b * (s + 2 * e)) / 6;
+  }
+  return 12 * moment / (length * length * length);
+}
+
 double distance_over(const Curve& curve, const Curve& reference, double from, double to) {
   std::vector<double> t = knots(curve, from, to);
   const std::vector<double> other = knots(reference, from, to);

@@ -41,6 +41,8 @@ double value_at(const Curve& curve, double t);
 double mean_over(const Curve& curve, double from, double to);
 /// Root of the mean squared deviation from that mean.
 double rms_over(const Curve& curve, double from, double to);
+/// Slope of the straight line that fits the curve over [from, to] best, by least squares.
+double slope_over(const Curve& curve, double from, double to);
 /// Mean over [from, to] of |curve - reference|.
 double distance_over(const Curve& curve, const Curve& reference, double from, double to);
 

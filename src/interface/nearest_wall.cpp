@@ -1,10 +1,27 @@
 #include "interface/nearest_wall.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
 namespace recoil {
+
+namespace {
+
+/// Of a point from the cell at index j, widened by a hundredth, [m2]: the wall of a cell lies in it.
+template <int Dim>
+double distance_squared(const Grid<Dim>& grid, const Index<Dim>& j, const Vec<Dim>& x) {
+  const Vec<Dim> r = x - grid.centre(j);
+  double sum = 0;
+  for (int d = 0; d < Dim; ++d) {
+    const double beyond = std::max(std::abs(r[d]) - 0.51 * grid.dx, 0.0);
+    sum += beyond * beyond;
+  }
+  return sum;
+}
+
+}  // namespace
 
 template <int Dim>
 NearWall<Dim> nearest_wall(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w,
@@ -17,9 +34,7 @@ NearWall<Dim> nearest_wall(const State<Dim>& state, const Body<Dim>& body, const
   }
   double nearest = std::numeric_limits<double>::infinity();
   NearWall<Dim> found;
-  for_each(box, [&](const Index<Dim>& j) {
-    const int at = index[w.at(j)];
-    if (at < 0) return;
+  const auto look_at = [&](const Index<Dim>& j, int at) {
     const auto from = w.source(j);
     const BodyBlock<Dim>& home = body.at(from.slot);
     if (home.walls[at].donors == 0) return;
@@ -28,6 +43,16 @@ NearWall<Dim> nearest_wall(const State<Dim>& state, const Body<Dim>& body, const
     if (r2 >= nearest) return;
     nearest = r2;
     found = {from.slot, at, from.flips, flipped(r, from.flips)};
+  };
+  // The middle cell is looked at first: most others are farther than its wall, and are left out. It is looked
+  // at again in its turn, because of equally near walls the first in the box counts.
+  if (box.contains(centre) && index[w.at(centre)] >= 0) look_at(centre, index[w.at(centre)]);
+  nearest = std::nextafter(nearest, std::numeric_limits<double>::infinity());
+  const Grid<Dim>& grid = state.grid();
+  for_each(box, [&](const Index<Dim>& j) {
+    const int at = index[w.at(j)];
+    if (at < 0 || distance_squared(grid, j, x) > nearest) return;
+    look_at(j, at);
   });
   return found;
 }

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <variant>
 
 #include "dynamics/primitives.hpp"
 #include "interface/nearest_wall.hpp"
 #include "interface/walls.hpp"
 #include "levelset/distance.hpp"
+#include "material/eos/isentrope.hpp"
 #include "state/level_set_view.hpp"
 
 namespace recoil {
@@ -22,6 +24,7 @@ constexpr int wall_reach = 8;    // foot points lie up to 5 cells away, their wa
 constexpr int walls_around = 2;  // cells between a foot point and its wall, along each axis
 // Of the density at the surface: how far that of a ghost leaves it at most. What is cut is counted.
 constexpr double deepest_rarefaction = 0.15, highest_compression = 0.3;
+constexpr double deepest_pull = 0.25;  // of the bulk modulus at the wall: a ghost of gas has no less pressure
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
 
@@ -167,6 +170,40 @@ double stress_range(const Wall<Dim>& wall) {
   return wall.range[C::p] + 1.5 * largest;
 }
 
+/// The state of a ghost along the normal.
+struct NormalState {
+  double rho = 0, p = 0, velocity = 0;  // kg/m3, Pa, m/s
+  bool clamped = false;
+};
+
+/// Matter that is no gas follows its surface's linear response. @param stress of the ghost [Pa]
+template <int Dim>
+NormalState linear_state(const Material& material, const Primitives<Dim>& v, const SurfaceState<Dim>& s,
+                         double traction, double stress) {
+  using C = Components<Dim>;
+  const double p = s.deviator - stress, rho = v[C::rho];
+  const double change = (p - v[C::p]) / sound_squared<Dim>(material, rho, v[C::p], v[C::crushed]),
+               kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
+  return {rho + kept, p, s.velocity - s.stress / s.impedance + traction / s.impedance, kept != change};
+}
+
+/// A gas follows the isentrope through the state of its surface: to the wall's pressure, and from there by
+/// the slope that the matter behind has, but down by no more than a part of its bulk modulus: a gas cannot
+/// pull.
+template <int Dim>
+std::optional<NormalState> gas_state(const Material& material, const Primitives<Dim>& v,
+                                     const SurfaceState<Dim>& s, double traction, double stress) {
+  using C = Components<Dim>;
+  const auto at_wall = gas_isentrope(material.eos, v[C::rho], v[C::p], -traction);
+  if (!at_wall) return std::nullopt;
+  const double modulus =
+      at_wall->rho * sound_speed_squared(material.eos, at_wall->rho, at_wall->p, v[C::crushed]);
+  const double change = std::max(traction - stress, -deepest_pull * modulus);
+  const auto ghost = gas_isentrope(material.eos, v[C::rho], v[C::p], at_wall->p + change);
+  if (!ghost) return std::nullopt;
+  return NormalState{ghost->rho, ghost->p, s.velocity + at_wall->speed, !ghost->reached};
+}
+
 template <int Dim>
 Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, const Wall<Dim>& wall,
                             const GhostCell<Dim>& ghost, Counters& counters) {
@@ -181,23 +218,23 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
   const double most_u = std::sqrt(speed2), most_s = stress_range(wall);
   const double du = wall.partners != 0 ? std::clamp(g.velocity * ghost.distance, -most_u, most_u) : 0;
   const double stress = wall.traction + std::clamp(g.stress * ghost.distance, -most_s, most_s);
-  const double normal_velocity = s.velocity - s.stress / s.impedance + wall.traction / s.impedance + du;
-  const double p0 = v[C::p], p = s.deviator - stress, rho = v[C::rho];
-  const double change = (p - p0) / sound_squared<Dim>(material, rho, p0, v[C::crushed]),
-               kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
-  if (kept != change) ++counters.clamped_ghost_densities;
-  v[C::rho] = rho + kept;
-  v[C::p] = p;
+  const auto gas = gas_state(material, v, s, wall.traction, stress);
+  const NormalState normal = gas ? *gas : linear_state<Dim>(material, v, s, wall.traction, stress);
+  if (normal.clamped) ++counters.clamped_ghost_densities;
+  v[C::rho] = normal.rho;
+  v[C::p] = normal.p;
   Change<Dim> x;
-  x.normal_velocity = normal_velocity - s.velocity;
+  x.normal_velocity = normal.velocity + du - s.velocity;
   Vec<Dim> held = flipped(wall.shear, ghost.flips);  // by friction, in the frame of the ghost
   held -= dot(held, n) * n;
   x.shear = held - s.shear;
   if (s.shear_impedance > 0) x.sliding = x.shear * (1 / s.shear_impedance);
   // A surface without shear traction still turns: a constant tangential velocity would brake a spinning body.
+  // Its shear stress goes on through zero: constant, it would give reconstructions a kink.
   for (int d = 0; d < Dim; ++d) {
-    const double change = std::clamp(g.sliding[d] * ghost.distance, -most_u, most_u);
-    x.sliding[d] += own[d] == n[d] ? change : -change;
+    const double same = own[d] == n[d] ? 1 : -1;
+    x.sliding[d] += same * std::clamp(g.sliding[d] * ghost.distance, -most_u, most_u);
+    x.shear[d] += same * std::clamp(g.shear[d] * ghost.distance, -most_s, most_s);
   }
   apply(v, x, n);
   return v;

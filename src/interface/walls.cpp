@@ -11,6 +11,7 @@
 #include "contact/touch.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/surface_view.hpp"
+#include "material/eos/isentrope.hpp"
 #include "state/contact_sums.hpp"
 
 namespace recoil {
@@ -200,7 +201,18 @@ void touch_all(const BlockStage<Dim>& a, Cluster<Dim>& c) {
     try_pair(a, c.side[pairs[k].first], c.side[pairs[k].second], pairs[k].gap, c);
 }
 
-/// What no partner has touched is free: no traction, velocity u - sigma/Z n - tau/Z_s.
+/// Velocity along its normal of a surface without traction: u - sigma/Z; that of a gas by the rarefaction to
+/// the pressure at rest.
+template <int Dim>
+double free_normal_velocity(const Material& material, const Primitives<Dim>& value,
+                            const SurfaceState<Dim>& s) {
+  using C = Components<Dim>;
+  if (const auto gas = gas_isentrope(material.eos, value[C::rho], value[C::p], 0))
+    return s.velocity + gas->speed;
+  return free_velocity(s.velocity, s.stress, s.impedance);
+}
+
+/// What no partner has touched is free: no traction, velocity as free_normal_velocity() - tau/Z_s.
 template <int Dim>
 void free_part(const BlockStage<Dim>& a, Side<Dim>& s, const Cluster<Dim>& c) {
   Wall<Dim>& w = *s.wall;
@@ -218,8 +230,7 @@ void free_part(const BlockStage<Dim>& a, Side<Dim>& s, const Cluster<Dim>& c) {
     const Vec<Dim> n = rest > small_face * c.face ? s.rest * (1 / rest) : a.view.normal(s.body, c.cell);
     const Material& material = a.view.body(s.body).material;
     const auto state = surface_state(material, w.value, n);
-    velocity = free_velocity(state.velocity, state.stress, state.impedance) * n + state.sliding -
-               shear_recoil(state);
+    velocity = free_normal_velocity<Dim>(material, w.value, state) * n + state.sliding - shear_recoil(state);
     if (!contact) {
       w.normal = n;
       w.face_velocity = velocity;

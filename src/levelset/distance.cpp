@@ -1,11 +1,13 @@
 #include "levelset/distance.hpp"
-#include "state/level_set_view.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "core/multiversion.hpp"
+#include "state/level_set_view.hpp"
 
 namespace recoil {
 
@@ -76,9 +78,10 @@ double relaxed_beside(const double* p0, const double* p, const Strides<Dim>& str
 
 /// A row of cells away from the surface: as relaxed_beside() where no neighbour has the other sign.
 template <int Dim>
-void relax_row(const double* p, const Strides<Dim>& stride, double h, int count, double* next) {
+RECOIL_MULTIVERSION void relax_row(const double* p, const Strides<Dim>& stride, double h, int count,
+                                   double* next) {
   const double per_h = 1 / h, half_per_h = 0.5 * per_h;
-#pragma omp simd
+#pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double* q = p + i;
     const double sign = q[0] > 0 ? 1 : -1;

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/mul_add.hpp"
+#include "core/multiversion.hpp"
 #include "state/level_set_view.hpp"
 
 namespace recoil {
@@ -30,14 +31,14 @@ namespace {
 /// u . grad phi of a row of cells, each derivative from the side that the flow comes from. `u`: component
 /// after component, n apart.
 template <int Dim>
-void advection_row(const Box<Dim>& window, const double* phi, const double* u, std::size_t n, int count,
-                   double h, double* sum) {
+RECOIL_MULTIVERSION void advection_row(const Box<Dim>& window, const double* phi, const double* u,
+                                       std::size_t n, int count, double h, double* sum) {
   for (int i = 0; i < count; ++i) sum[i] = 0;
   const double per_h = 1 / h;
   for (std::size_t d = 0; d < Dim; ++d) {
     const int st = window.stride(static_cast<int>(d));
     const double* speed = u + d * n;
-#pragma omp simd
+#pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
       const double* p = phi + i;
       const double a = p[-2 * st] - p[-3 * st], b = p[-st] - p[-2 * st], c = p[0] - p[-st], e = p[st] - p[0],

@@ -80,7 +80,14 @@ Node reduced(Node table, const F& keep) {
   return table;
 }
 
-/// Reads [eos] or [strength]: `kind` first, then the keys of that model.
+/// Keys that a table has beside those of the model of its kind.
+template <class Variant>
+std::vector<Key> common_keys() {
+  if constexpr (std::is_same_v<Variant, Damage>) return keys_of_model<DamageAverage>(false);
+  return {};
+}
+
+/// Reads [eos], [strength] or [damage]: `kind` first, then the keys of that model.
 template <class Variant>
 void read_model(const Node& table, const char* doc, Variant& into, Diagnostics& out) {
   const std::vector<Key> only{kind_key<Variant>(doc)};
@@ -89,7 +96,11 @@ void read_model(const Node& table, const char* doc, Variant& into, Diagnostics& 
     const Record record = read_record(kind_part, only, out);
     return record.good("kind") ? record.text("kind") : std::string();
   }();
-  const Node rest = reduced(table, [](const std::string& key) { return key != "kind"; });
+  const std::vector<Key> common = common_keys<Variant>();
+  const auto is_common = [&](const std::string& key) {
+    return std::any_of(common.begin(), common.end(), [&](const Key& k) { return key == k.name; });
+  };
+  const Node rest = reduced(table, [&](const std::string& key) { return key != "kind" && !is_common(key); });
   for_each_model<Variant>([&](auto model) {
     if (kind != model.kind) return;
     const std::vector<Key> keys = keys_of_model<decltype(model)>();
@@ -174,6 +185,18 @@ Model read_constants(const Node& table, Diagnostics& out) {
   return model;
 }
 
+/// The constants of a table that stand beside those of its model.
+template <class Model>
+Model read_common(const Node& table, Diagnostics& out) {
+  const std::vector<Key> keys = keys_of_model<Model>(false);
+  return read_constants<Model>(reduced(table,
+                                       [&](const std::string& key) {
+                                         return std::any_of(keys.begin(), keys.end(),
+                                                            [&](const Key& k) { return key == k.name; });
+                                       }),
+                               out);
+}
+
 std::string kind_of(const Node& material, const char* part) {
   const Node* table = material.find(part);
   const Node* kind = table ? table->find("kind") : nullptr;
@@ -188,9 +211,11 @@ void keep_common(Node& base, const Node& over, const char* part) {
   if (!table || kind.empty() || kind == kind_of(base, part)) return;
   for_each_model<Variant>([&](const auto& model) {
     if (kind != model.kind) return;
+    const std::vector<Key> common = common_keys<Variant>();
     *table = reduced(std::move(*table), [&](const std::string& key) {
       const auto list = model.parameters();
-      return std::any_of(list.begin(), list.end(), [&](const auto& p) { return key == p.name; });
+      return std::any_of(list.begin(), list.end(), [&](const auto& p) { return key == p.name; }) ||
+             std::any_of(common.begin(), common.end(), [&](const Key& k) { return key == k.name; });
     });
   });
 }
@@ -268,6 +293,7 @@ void add_sections(std::vector<config::Section>& all, const std::string& name, co
   for_each_model<Variant>([&](const auto& model) {
     std::vector<Key> keys = keys_of_model<std::decay_t<decltype(model)>>();
     keys.insert(keys.begin(), kind_key<Variant>(doc));
+    for (Key& key : common_keys<Variant>()) keys.push_back(std::move(key));
     all.push_back({name, model.doc, std::move(keys), model.kind});
   });
 }
@@ -316,7 +342,10 @@ std::optional<Material> read_material(const std::string& name, const Node& table
     read_table(*eos, *table_of_states, material.thermal, out);
   }
   if (out.error_count() == errors) join_porous(record, material, out);
-  if (record.good("damage")) read_model(*record.node("damage"), damage_doc, material.damage, out);
+  if (record.good("damage")) {
+    read_model(*record.node("damage"), damage_doc, material.damage, out);
+    material.damage_average = read_common<DamageAverage>(*record.node("damage"), out);
+  }
   join_ceramic(record, material, out);
   if (record.good("failed")) material.failed = read_constants<FailedMatter>(*record.node("failed"), out);
   if (record.good("facts")) material.facts = read_constants<Facts>(*record.node("facts"), out);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "material/damage/damage.hpp"
+#include "material/damage/damage_average.hpp"
 #include "material/eos/eos.hpp"
 #include "material/strength/strength.hpp"
 #include "material/temperature.hpp"
@@ -56,6 +57,7 @@ struct Material {
   Eos eos;
   Strength strength;
   Damage damage;
+  DamageAverage damage_average;
   FailedMatter failed;
   Thermal thermal;
   Facts facts;
@@ -73,6 +75,9 @@ inline double solid_density(const Material& m) {
 
 /// Shear modulus [Pa]; 0 for a fluid.
 inline double shear_modulus(const Material& m) { return shear_modulus(m.strength); }
+
+/// Whether damage comes from the mean of the states around.
+inline bool averages_damage(const Material& m) { return can_fail(m.damage) && m.damage_average.averages(); }
 
 /// Bulk sound speed at rest [m/s].
 inline double bulk_sound_speed(const Material& m) { return bulk_sound_speed(m.eos); }

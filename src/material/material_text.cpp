@@ -60,6 +60,7 @@ std::string to_toml(const Material& m, const std::string& table) {
   text += "\n[" + prefix + "strength]\n" + model_lines(m.strength);
   if (can_fail(m.damage)) {
     text += "\n[" + prefix + "damage]\n" + model_lines(m.damage);
+    if (m.damage_average.averages()) text += lines_of(m.damage_average);
     text += "\n[" + prefix + "failed]\n" + lines_of(m.failed);
   }
   const bool by_energy = m.thermal.rule == Thermal::Rule::energy;

@@ -48,7 +48,9 @@ inline double distortion_energy(double equivalent_stress_squared, double shear_m
 /// The temperature of one material, with the isentrope through the state at rest tabulated once. e: specific
 /// internal energy without that of elastic distortion [J/kg].
 ///   energy rule: T = T_s(rho) + (e - e_s(rho))/c_v,  d ln T_s/d rho = Gamma/rho,  d e_s/d rho = p/rho^2
-///   Mie-Grueneisen: T_s = T0 exp(Gamma0 (1 - rho0/rho)); linear: T_s = T0; the others: tabulated as e_s
+///   Mie-Grueneisen: T_s = T0 exp(Gamma0 (1 - rho0/rho)); linear: T_s = T0; ideal gas: T_s = T0 x^(gamma -
+///   1), x = rho/rho0, and e_s = P_inf/rho0 ((x^(gamma - 1) - 1)/(gamma - 1) + 1/x - 1); the others:
+///   tabulated as e_s
 /// A tabular equation of state has the temperature itself: T(rho, e) of its table, on the isentrope as well.
 /// Exact for a constant c_v where Gamma depends on density alone: for all but Tillotson's, whose Gamma falls
 /// with energy.
@@ -82,12 +84,17 @@ class TemperatureLaw {
   /// Temperature [K] on the isentrope through rest.
   double on_isentrope(double rho) const {
     if (own_) return own_->temperature(rho, isentrope(rho));
+    if (gas_power_ > 0) return thermal_.initial_temperature * std::pow(rho / rho0_, gas_power_);
     if (!growth_.empty()) return thermal_.initial_temperature * std::exp(interpolated(growth_, rho));
     return thermal_.initial_temperature * std::exp(gamma0_ * (1 - rho0_ / rho));
   }
 
-  /// e_s [J/kg] on the isentrope through rest: linear between the points of the table, and beyond it.
-  double isentrope(double rho) const { return interpolated(table_, rho); }
+  /// e_s [J/kg] on the isentrope through rest: where it is a table, linear between its points, and beyond it.
+  double isentrope(double rho) const {
+    if (gas_power_ == 0) return interpolated(table_, rho);
+    const double x = rho / rho0_;
+    return gas_energy_ * ((std::pow(x, gas_power_) - 1) / gas_power_ + 1 / x - 1);
+  }
 
   const Thermal& thermal() const { return thermal_; }
 
@@ -109,6 +116,11 @@ class TemperatureLaw {
     gamma0_ = eos.gamma0;
     fill(eos);
   }
+  void tabulate(const IdealGas& eos) {  // whose densities go beyond any table
+    rho0_ = eos.rho0;
+    gas_power_ = eos.gamma - 1;
+    gas_energy_ = (eos.p0 + eos.p_inf) / eos.rho0;
+  }
   void tabulate(const LinearEos& eos) { fill(eos); }  // gamma0_ = 0: the isentrope stays at T0
   void tabulate(const PolynomialEos& eos) { fill(eos); }
   void tabulate(const Porous& eos) {
@@ -121,7 +133,7 @@ class TemperatureLaw {
   }
 
   /// Integrates de/drho = p/rho^2 from rest both ways by the classical Runge-Kutta rule: from 0.4 rho0, or
-  /// the least density that the material has, to the largest admissible one, at most 4 rho0 (a gas: 10).
+  /// the least density that the material has, to the largest admissible one, at most 4 rho0.
   template <class Model>
   void fill(const Model& eos) {
     const DensityRange range = density_range(eos);
@@ -170,13 +182,14 @@ class TemperatureLaw {
   }
 
   Thermal thermal_;
-  double rho0_ = 1, gamma0_ = 0;         // kg/m3, 1
-  double distension_ = 0;                // of porous matter at rest; 0: of other
-  double lowest_ = 0, spacing_ = 1;      // kg/m3
-  int rest_ = 0;                         // place of rest in the table
-  std::vector<double> table_{0.0, 0.0};  // J/kg
-  std::vector<double> growth_;           // ln(T_s/T0); empty: by gamma0_
-  std::shared_ptr<const EosTable> own_;  // a table that has the temperature; null: none
+  double rho0_ = 1, gamma0_ = 0;           // kg/m3, 1
+  double gas_power_ = 0, gas_energy_ = 0;  // of an ideal gas: gamma - 1, P_inf/rho0 [J/kg]
+  double distension_ = 0;                  // of porous matter at rest; 0: of other
+  double lowest_ = 0, spacing_ = 1;        // kg/m3
+  int rest_ = 0;                           // place of rest in the table
+  std::vector<double> table_{0.0, 0.0};    // J/kg
+  std::vector<double> growth_;             // ln(T_s/T0); empty: by gamma0_
+  std::shared_ptr<const EosTable> own_;    // a table that has the temperature; null: none
 };
 
 }  // namespace recoil

@@ -75,6 +75,8 @@ Mesh<Dim>::Mesh(const Grid<Dim>& grid, int levels, const parallel::World& world,
                 const Weigh& weight)
     : grids_(grids_of(grid, levels)), forest_(forest_of(grids_.back(), levels)) {
   if (levels > 1) {
+    for (int d = 0; d < Dim; ++d)
+      require(grid.block[d] % 2 == 0 || grid.block[d] >= grid.cells[d], "blocks of whole coarser cells");
     forest_.refine([&](const Place<Dim>& p) { return inside(p) && refined(p); }, true);
     forest_.balance();
   }
@@ -303,7 +305,8 @@ Index<Dim> choose_block(const Index<Dim>& cells, const std::array<std::array<Edg
     if (edge[d][0] != Edge::periodic || cells[d] % (block[d] * coarsest) == 0) continue;
     int best = 0;
     for (int n = widest_halo + 1; n <= 2 * usual + widest_halo && n <= cells[d]; ++n)
-      if (cells[d] % (n * coarsest) == 0 && (best == 0 || std::abs(n - usual) < std::abs(best - usual)))
+      if ((levels == 1 || n % 2 == 0) && cells[d] % (n * coarsest) == 0 &&
+          (best == 0 || std::abs(n - usual) < std::abs(best - usual)))
         best = n;
     if (best == 0)
       throw InputError(

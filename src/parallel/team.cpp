@@ -11,7 +11,39 @@
 
 namespace recoil::parallel {
 
+namespace {
+
+/// How often a thread looks before it sleeps, which takes some tens of microseconds. A step has about a
+/// hundred waits, and a thread that sleeps must be woken by the system. None where there are more threads
+/// than processors: what they wait for could not run.
+int looks_before_sleep(int threads) {
+  constexpr int looks = 1000;
+  return static_cast<unsigned>(threads) <= std::thread::hardware_concurrency() ? looks : 0;
+}
+
+void rest_processor() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+/// Waits until `value` is no longer `old`.
+template <class T>
+void wait_for_change(const std::atomic<T>& value, T old, int looks) {
+  for (int k = 0; k < looks; ++k) {
+    if (value.load(std::memory_order_acquire) != old) return;
+    if (k % 32 == 31)
+      std::this_thread::yield();  // to the one waited for, should it be on the same processor
+    else
+      rest_processor();
+  }
+  value.wait(old);
+}
+
+}  // namespace
+
 struct Team::Pool {
+  int looks = 0;  // before a thread sleeps
   std::vector<std::unique_ptr<Scratch>> scratch;
   std::vector<std::jthread> workers;
   const std::function<void(int, int)>* task = nullptr;
@@ -40,7 +72,7 @@ struct Team::Pool {
   void serve(int worker) {
     unsigned seen = 0;
     while (true) {
-      round.wait(seen);
+      wait_for_change(round, seen, looks);
       seen = round.load();
       if (stop) return;
       work(worker);
@@ -51,6 +83,7 @@ struct Team::Pool {
 
 Team::Team(int threads) : pool_(std::make_unique<Pool>()) {
   require(threads >= 1, "a team has at least one thread");
+  pool_->looks = looks_before_sleep(threads);
   for (int i = 0; i < threads; ++i) pool_->scratch.push_back(std::make_unique<Scratch>());
   for (int i = 1; i < threads; ++i) pool_->workers.emplace_back([this, i] { pool_->serve(i); });
 }
@@ -79,7 +112,7 @@ void Team::run(int items, const std::function<void(int, int)>& task) {
   }
   p.work(0);
   if (together)
-    for (int left = p.busy.load(); left > 0; left = p.busy.load()) p.busy.wait(left);
+    for (int left = p.busy.load(); left > 0; left = p.busy.load()) wait_for_change(p.busy, left, p.looks);
   if (p.failure) {
     const auto failure = std::exchange(p.failure, nullptr);
     p.failed_item = std::numeric_limits<int>::max();

@@ -4,8 +4,11 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 #include "core/error.hpp"
+#include "parallel/pieces.hpp"
+#include "parallel/traffic.hpp"
 
 namespace recoil::parallel {
 
@@ -20,7 +23,29 @@ bool started() {
 
 constexpr int tag_size = 1, tag_data = 2;
 
+Traffic sent;  // MPI is called by one thread only
+
+int int_count(std::size_t n) {
+  require(n <= static_cast<std::size_t>(std::numeric_limits<int>::max()),
+          "a reduction of as many values as MPI counts");
+  return static_cast<int>(n);
+}
+
+void send(const Bytes& bytes, int to) {
+  for_each_piece(bytes.size(), [&](std::uint64_t first, int n) {
+    MPI_Send(bytes.data() + first, n, MPI_BYTE, to, tag_data, MPI_COMM_WORLD);
+  });
+}
+
+void receive(Bytes& bytes, int from) {
+  for_each_piece(bytes.size(), [&](std::uint64_t first, int n) {
+    MPI_Recv(bytes.data() + first, n, MPI_BYTE, from, tag_data, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  });
+}
+
 }  // namespace
+
+Traffic traffic() { return sent; }
 
 Session::Session() {
   int provided = 0;
@@ -44,7 +69,9 @@ int World::size() const {
 
 double World::min(double local) const {
   double global = local;
-  if (size() > 1) MPI_Allreduce(&local, &global, 1, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
+  if (size() == 1) return global;
+  ++sent.reductions;
+  MPI_Allreduce(&local, &global, 1, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
   return global;
 }
 
@@ -53,15 +80,15 @@ double World::max(double local) const { return -min(-local); }
 bool World::any(bool local) const { return max(local ? 1 : 0) > 0; }
 
 void World::sum(std::span<std::int64_t> values) const {
-  if (size() > 1)
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_INT64_T, MPI_SUM,
-                  MPI_COMM_WORLD);
+  if (size() == 1) return;
+  ++sent.reductions;
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), int_count(values.size()), MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
 }
 
 void World::max(std::span<double> values) const {
-  if (size() > 1)
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
-                  MPI_COMM_WORLD);
+  if (size() == 1) return;
+  ++sent.reductions;
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), int_count(values.size()), MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
 }
 
 std::vector<Bytes> World::gather(const Bytes& local) const {
@@ -70,7 +97,7 @@ std::vector<Bytes> World::gather(const Bytes& local) const {
   if (rank() != 0) {
     const std::uint64_t n = local.size();
     MPI_Send(&n, 1, MPI_UINT64_T, 0, tag_size, MPI_COMM_WORLD);
-    MPI_Send(local.data(), static_cast<int>(n), MPI_BYTE, 0, tag_data, MPI_COMM_WORLD);
+    send(local, 0);
     return all;
   }
   all.push_back(local);
@@ -78,8 +105,7 @@ std::vector<Bytes> World::gather(const Bytes& local) const {
     std::uint64_t n = 0;
     MPI_Recv(&n, 1, MPI_UINT64_T, r, tag_size, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     all.emplace_back(n);
-    MPI_Recv(all.back().data(), static_cast<int>(n), MPI_BYTE, r, tag_data, MPI_COMM_WORLD,
-             MPI_STATUS_IGNORE);
+    receive(all.back(), r);
   }
   return all;
 }
@@ -89,30 +115,38 @@ void World::broadcast(Bytes& bytes) const {
   std::uint64_t n = bytes.size();
   MPI_Bcast(&n, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
   bytes.resize(n);
-  MPI_Bcast(bytes.data(), static_cast<int>(n), MPI_BYTE, 0, MPI_COMM_WORLD);
+  for_each_piece(n, [&](std::uint64_t first, int count) {
+    MPI_Bcast(bytes.data() + first, count, MPI_BYTE, 0, MPI_COMM_WORLD);
+  });
 }
 
 std::vector<Message> World::exchange(const std::vector<Message>& out, const std::vector<int>& from) const {
   std::vector<Message> in(from.size());
   if (size() == 1) return in;
+  if (!out.empty() || !from.empty()) ++sent.exchanges;
   std::vector<MPI_Request> requests;
   std::vector<std::uint64_t> out_size(out.size()), in_size(from.size());
-  const auto request = [&requests]() { return &requests.emplace_back(); };
-  requests.reserve(2 * (out.size() + from.size()));
   for (std::size_t i = 0; i < from.size(); ++i)
-    MPI_Irecv(&in_size[i], 1, MPI_UINT64_T, from[i], tag_size, MPI_COMM_WORLD, request());
+    MPI_Irecv(&in_size[i], 1, MPI_UINT64_T, from[i], tag_size, MPI_COMM_WORLD, &requests.emplace_back());
   for (std::size_t i = 0; i < out.size(); ++i) {
-    out_size[i] = out[i].bytes.size();
-    MPI_Isend(&out_size[i], 1, MPI_UINT64_T, out[i].rank, tag_size, MPI_COMM_WORLD, request());
-    MPI_Isend(out[i].bytes.data(), static_cast<int>(out_size[i]), MPI_BYTE, out[i].rank, tag_data,
-              MPI_COMM_WORLD, request());
+    const int to = out[i].rank;  // clang 14 cannot use a structured binding in a lambda
+    const Bytes& bytes = out[i].bytes;
+    out_size[i] = bytes.size();
+    ++sent.messages;
+    sent.bytes += static_cast<std::int64_t>(bytes.size());
+    MPI_Isend(&out_size[i], 1, MPI_UINT64_T, to, tag_size, MPI_COMM_WORLD, &requests.emplace_back());
+    for_each_piece(bytes.size(), [&](std::uint64_t first, int n) {
+      MPI_Isend(bytes.data() + first, n, MPI_BYTE, to, tag_data, MPI_COMM_WORLD, &requests.emplace_back());
+    });
   }
   MPI_Waitall(static_cast<int>(from.size()), requests.data(), MPI_STATUSES_IGNORE);
   for (std::size_t i = 0; i < from.size(); ++i) {
     in[i].rank = from[i];
     in[i].bytes.resize(in_size[i]);
-    MPI_Irecv(in[i].bytes.data(), static_cast<int>(in_size[i]), MPI_BYTE, from[i], tag_data, MPI_COMM_WORLD,
-              request());
+    for_each_piece(in_size[i], [&](std::uint64_t first, int n) {
+      MPI_Irecv(in[i].bytes.data() + first, n, MPI_BYTE, from[i], tag_data, MPI_COMM_WORLD,
+                &requests.emplace_back());
+    });
   }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   return in;

@@ -37,6 +37,17 @@ struct CellHead {
   std::uint32_t contact = 0;
 };
 
+/// Those whose names are wanted, all where none is named; the part of each cell that is full always.
+std::vector<FieldVariable> chosen(const std::vector<std::string>& wanted) {
+  std::vector<FieldVariable> variables;
+  for (const FieldVariable& v : field_variables()) {
+    const bool always = std::string_view(v.name) == "volume-fraction";
+    if (always || wanted.empty() || std::find(wanted.begin(), wanted.end(), v.name) != wanted.end())
+      variables.push_back(v);
+  }
+  return variables;
+}
+
 int floats_of(const std::vector<FieldVariable>& variables) {
   int n = 0;
   for (const FieldVariable& v : variables) n += v.components;
@@ -185,6 +196,16 @@ void add_cell(UnstructuredGrid& grid, const Grid<Dim>& cells, const Index<Dim>& 
   add_box_cell(grid, Dim, lower, upper);
 }
 
+/// Room for the cells of a dump, so that no array is copied while it grows.
+template <int Dim>
+void reserve(UnstructuredGrid& grid, std::size_t cells) {
+  const std::size_t corners = std::size_t{1} << Dim;
+  grid.points.reserve(3 * corners * cells);
+  grid.connectivity.reserve(corners * cells);
+  grid.offsets.reserve(cells + 1);
+  grid.types.reserve(cells);
+}
+
 /// The grid of what pack_blocks() has packed.
 template <int Dim>
 UnstructuredGrid unpack_grid(const State<Dim>& state, const std::vector<parallel::Bytes>& all,
@@ -194,6 +215,13 @@ UnstructuredGrid unpack_grid(const State<Dim>& state, const std::vector<parallel
   std::vector<std::vector<float>> columns(variables.size() + bodies);
   std::vector<std::int32_t> body, contact;
   std::vector<float> floats(static_cast<std::size_t>(floats_of(variables)) + bodies);
+  std::size_t packed = 0;
+  for (const auto& bytes : all) packed += bytes.size();
+  const std::size_t cells = packed / (sizeof(CellHead<Dim>) + floats.size() * sizeof(float));
+  reserve<Dim>(grid, cells);
+  body.reserve(cells), contact.reserve(cells);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    columns[c].reserve(cells * static_cast<std::size_t>(c < variables.size() ? variables[c].components : 1));
   for (const auto& bytes : all) {
     parallel::Unpacker reader(bytes);
     while (!reader.empty()) {
@@ -245,6 +273,18 @@ const std::vector<FieldVariable>& field_variables() {
 }
 
 template <int Dim>
+double bytes_of_dumped_cell(const std::vector<std::string>& variables, std::size_t bodies) {
+  constexpr double corners = 1 << Dim, number = sizeof(double);
+  const double floats =
+      sizeof(float) * (static_cast<double>(floats_of(chosen(variables))) + static_cast<double>(bodies));
+  const double packed = sizeof(CellHead<Dim>) + floats;
+  const double grid = corners * (3 + 1) * number + number + 1, arrays = floats + 2 * sizeof(std::int32_t);
+  // A point for about each cell: its entry in a table by place, two places of that table, itself.
+  const double merged = 64 + 2 * number + 3 * number;
+  return packed + grid + arrays + merged;
+}
+
+template <int Dim>
 UnstructuredGrid gather_fields(const State<Dim>& state, const parallel::World& world,
                                const std::vector<FieldVariable>& variables, const Fragments<Dim>* fragments) {
   const auto all = world.gather(pack_blocks(state, variables, have_touched(state, world), fragments));
@@ -270,12 +310,7 @@ FieldDump<Dim>::FieldDump(std::filesystem::path folder, std::string name,
                                  wanted,
                                  !near.empty() ? near : fmt::format("there are {}", fmt::join(known, ", "))));
   }
-  for (const FieldVariable& v : field_variables()) {
-    const bool always = std::string_view(v.name) == "volume-fraction";
-    if (always || variables.empty() ||
-        std::find(variables.begin(), variables.end(), v.name) != variables.end())
-      variables_.push_back(v);
-  }
+  variables_ = chosen(variables);
 }
 
 template <int Dim>
@@ -312,6 +347,7 @@ void FieldDump<Dim>::unpack(parallel::Unpacker& from, bool removes) {
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                           \
+  template double bytes_of_dumped_cell<Dim>(const std::vector<std::string>&, std::size_t);                \
   template class FieldDump<Dim>;                                                                          \
   template UnstructuredGrid gather_fields<Dim>(const State<Dim>&, const parallel::World&,                 \
                                                const std::vector<FieldVariable>&, const Fragments<Dim>*); \

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -55,6 +56,13 @@ class FieldDump {
   std::vector<FieldVariable> variables_;
   std::vector<SeriesEntry> series_;
 };
+
+/// Memory that a dump takes on rank 0 while it is put together, for each cell in it [bytes]: what the
+/// processes have sent, the grid with the corners of each cell, its arrays, and the table by which corners
+/// are joined.
+/// @param variables names as for FieldDump.
+template <int Dim>
+double bytes_of_dumped_cell(const std::vector<std::string>& variables, std::size_t bodies);
 
 /// The grid of one dump, complete on rank 0, empty elsewhere. Collective.
 template <int Dim>

@@ -38,8 +38,8 @@ struct Request {
   std::string quantity, gauge, column, reduction, argument;
 };
 
-constexpr const char* reductions[] = {"at",  "peak",    "last",  "max",   "min",     "mean",
-                                      "rms", "arrival", "until", "error", "pullback"};
+constexpr const char* reductions[] = {"at",  "peak",  "last",    "max",   "min",   "mean",
+                                      "rms", "slope", "arrival", "until", "error", "pullback"};
 
 Request parse_request(const std::string& quantity) {
   Request r;
@@ -66,7 +66,7 @@ Request parse_request(const std::string& quantity) {
     throw InputError(fmt::format(
         "error: the quantity '{}' does not say which value of the record\n"
         "   = help: append @TIME, .peak, .last, .pullback, .max, .min, .mean@FROM..TO, .rms@FROM..TO, "
-        ".arrival@LEVEL or .until@LEVEL",
+        ".slope@FROM..TO, .arrival@LEVEL or .until@LEVEL",
         quantity));
   }
   const bool bare = r.reduction == "peak" || r.reduction == "last" || r.reduction == "pullback";
@@ -152,6 +152,7 @@ double reduce(const Quantities& q, const Request& r, const TimeSeries& series, s
   const Window w = parse_window(r, r.argument.substr(0, colon), series.over);
   if (r.reduction == "mean") return mean_over(curve, w.from, w.to);
   if (r.reduction == "rms") return rms_over(curve, w.from, w.to);
+  if (r.reduction == "slope") return slope_over(curve, w.from, w.to);
   const std::string where = colon == std::string::npos ? "" : r.argument.substr(colon + 1);
   return distance_over(curve, read_reference(q, r, where), w.from, w.to);
 }

@@ -22,6 +22,7 @@ namespace recoil {
 ///              .max, .min         the largest and the smallest value; also over a time: .max@0.2us..0.5us
 ///              .mean@0.2us..0.5us the mean over that time
 ///              .rms@0.2us..0.5us  the root of the mean squared deviation from that mean
+///              .slope@0.2us..0.5us  that of the straight line that fits best over that time
 ///              .until@100m/s      the last time at which the column crosses that level
 ///              .arrival@100m/s    the first time at which the column reaches that level, in its direction
 ///              from the first value .error@3us..5us:FILE:COLUMN  the mean of |column - reference| over that

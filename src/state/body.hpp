@@ -55,11 +55,12 @@ struct BodyBlock {
   Geometry<Dim> geometry{Field::geometry};
   Geometry<Dim> end_geometry{Field::end_geometry};
   FieldArray<Wall<Dim>> walls{Field::walls};
-  FieldArray<Donor<Dim>> donors{Field::donors};
+  Donors<Dim> donors{Field::donors};
   FieldArray<GhostCell<Dim>> ghosts{Field::ghosts};
   FieldArray<Update<Dim>> updates{Field::updates};
   FieldArray<double> contents_sum{Field::contents_sum};
   FieldArray<double> rims{Field::rims};  // RimFluxes
+  FieldArray<double> damage_drive{Field::damage_drive};
 };
 
 template <int Dim>

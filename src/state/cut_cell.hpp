@@ -41,7 +41,7 @@ struct Geometry {
 template <int Dim>
 struct Wall {
   using C = Components<Dim>;
-  // the fit's donors; fixed for a step
+  // the fit's part of Donors::parts; fixed for a step
   int first_donor = 0, donors = 0;
   Vec<Dim> donor_centre;  // weighted mean of the donors' places from x_I, in dx
   // the fit of this stage
@@ -63,13 +63,27 @@ struct Wall {
   std::array<Vec<Dim>, Dim> stretching{};  // [i][j]: integral of u_i n_j
 };
 
-/// A cell whose average takes part in a fit.
+/// A cell whose average takes part in fits, as the block of the fits sees it.
+struct DonorCell {
+  int slot = 0, cell = 0;
+  unsigned flips = 0;  // bit d: mirrored along axis d
+};
+
+/// The part of a donor in one fit.
 template <int Dim>
 struct Donor {
-  int slot = 0, cell = 0;
-  unsigned flips = 0;
+  int place = 0;          // in Donors::cells
   double weight = 0;      // of the mean
   Vec<Dim> slope_weight;  // of the gradient, per dx
+};
+
+/// The donors of all fits of a block: each cell once, and fit after fit what part which cell has.
+template <int Dim>
+struct Donors {
+  FieldArray<DonorCell> cells;
+  FieldArray<Donor<Dim>> parts;
+
+  explicit Donors(Field field) : cells(field), parts(field) {}
 };
 
 /// A cell beyond a surface that a reconstruction reads, and the wall that gives it its value.

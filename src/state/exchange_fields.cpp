@@ -1,50 +1,249 @@
 #include "state/exchange_fields.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <type_traits>
 #include <vector>
 
+#include "core/error.hpp"
 #include "field/exchange.hpp"
+#include "state/near_cells.hpp"
 
 namespace recoil {
 
 namespace {
 
+/// The cells of one block that one process needs, by reach; found when they are asked for.
+template <int Dim>
+class Rims {
+ public:
+  /// @param reach the most that is asked for.
+  Rims(const Mesh<Dim>& mesh, int slot, int rank, int reach)
+      : mesh_(mesh), slot_(slot), rank_(rank), reach_(reach) {}
+  const NearCells& of(Field field) {
+    // Walls are found by their number among the cut cells: both lists leave out the same ones.
+    const bool numbered = field == Field::geometry || field == Field::walls;
+    const int reach = numbered ? reach_of(field) : std::min(reach_, reach_of(field));
+    auto& found = by_reach_[static_cast<std::size_t>(reach)];
+    if (!found) found = cells_near(mesh_, slot_, rank_, reach);
+    return *found;
+  }
+
+ private:
+  const Mesh<Dim>& mesh_;
+  int slot_, rank_, reach_;
+  std::array<std::optional<NearCells>, widest_halo + 1> by_reach_;
+};
+
+/// Writes values one after the other into room that was made for them.
+class Writer {
+ public:
+  Writer(parallel::Bytes& bytes, std::size_t room) : bytes_(bytes), at_(bytes.size()) {
+    bytes.resize(at_ + room);
+  }
+  ~Writer() { bytes_.resize(at_); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  template <class T>
+  void write(const T& value) {
+    std::memcpy(bytes_.data() + at_, &value, sizeof(T));
+    at_ += sizeof(T);
+  }
+
+ private:
+  parallel::Bytes& bytes_;
+  std::size_t at_;
+};
+
 template <class T>
-void put(parallel::Bytes& bytes, const std::vector<T>& v) {
-  parallel::pack(bytes, static_cast<std::uint64_t>(v.size()));
-  parallel::pack(bytes, v.data(), v.size());
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+/// f(place in the layout, number among the cells).
+template <class F>
+void for_each_cell(const NearCells& near, F&& f) {
+  std::size_t j = 0;
+  for (const CellRun& run : near.runs)
+    for (int k = run.first; k < run.first + run.cells; ++k) f(static_cast<std::size_t>(k), j++);
+}
+
+/// A bit for each of the cells: whether a component differs from the value of cells without matter; then all
+/// components of those that do.
+template <class T>
+void put_cells(parallel::Bytes& bytes, const std::vector<T>& v, const NearCells& near, const T& usual) {
+  parallel::pack(bytes, static_cast<char>(v.empty() ? 0 : 1));
+  if (v.empty()) return;
+  const std::size_t n = near.holds.size(), components = v.size() / n,
+                    cells = static_cast<std::size_t>(near.count);
+  std::vector<std::uint8_t> mask((cells + 7) / 8, 0);
+  for (std::size_t c = 0; c < components; ++c)
+    for_each_cell(near, [&](std::size_t k, std::size_t j) {
+      if (!same_bits(v[c * n + k], usual)) mask[j / 8] |= static_cast<std::uint8_t>(1U << j % 8);
+    });
+  parallel::pack(bytes, mask.data(), mask.size());
+  Writer writer(bytes, cells * components * sizeof(T));
+  for (std::size_t c = 0; c < components; ++c)
+    for_each_cell(near, [&](std::size_t k, std::size_t j) {
+      if ((mask[j / 8] >> j % 8 & 1U) != 0) writer.write(v[c * n + k]);
+    });
+}
+
+/// In debug builds cells that are not sent are no numbers: what reads them shows.
+template <class T>
+void spoil([[maybe_unused]] std::vector<T>& v) {
+#ifndef NDEBUG
+  if constexpr (std::is_same_v<T, double>)
+    std::fill(v.begin(), v.end(), std::numeric_limits<double>::quiet_NaN());
+#endif
 }
 
 template <class T>
-void take(parallel::Unpacker& from, std::vector<T>& v) {
-  v.resize(from.read<std::uint64_t>());
-  from.read(v.data(), v.size());
+void take_cells(parallel::Unpacker& from, std::vector<T>& v, std::size_t components, const NearCells& near,
+                const T& usual) {
+  if (from.read<char>() == 0) return v.clear();
+  const std::size_t n = near.holds.size();
+  if (v.size() != components * n) v.assign(components * n, usual);
+  spoil(v);
+  std::vector<std::uint8_t> mask((static_cast<std::size_t>(near.count) + 7) / 8);
+  from.read(mask.data(), mask.size());
+  for (std::size_t c = 0; c < components; ++c)
+    for_each_cell(near, [&](std::size_t k, std::size_t j) {
+      v[c * n + k] = (mask[j / 8] >> j % 8 & 1U) != 0 ? from.read<T>() : usual;
+    });
 }
 
-/// Calls f(vector) for every array of the fields that the body has, in one order for sender and receiver.
+/// The entries of a list that has one for each cut cell, as far as those are needed.
+template <int Dim, class T>
+void put_cuts(parallel::Bytes& bytes, const std::vector<T>& list, const Geometry<Dim>& geometry,
+              const NearCells& near) {
+  const auto& cuts = geometry.cuts.raw();
+  require(list.empty() || list.size() == cuts.size(), "a list of the cut cells");
+  const std::size_t at = bytes.size();
+  std::uint64_t count = 0;
+  parallel::pack(bytes, count);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (near.holds[static_cast<std::size_t>(cuts[k].cell)] == 0) continue;
+    parallel::pack(bytes, list[k]);
+    ++count;
+  }
+  std::memcpy(bytes.data() + at, &count, sizeof(count));
+}
+
+template <class T>
+void take_list(parallel::Unpacker& from, std::vector<T>& list) {
+  list.resize(from.read<std::uint64_t>());
+  from.read(list.data(), list.size());
+}
+
+template <class T>
+void put_list(parallel::Bytes& bytes, const std::vector<T>& list) {
+  parallel::pack(bytes, static_cast<std::uint64_t>(list.size()));
+  parallel::pack(bytes, list.data(), list.size());
+}
+
+/// What a field of doubles holds where nothing of the body is (enter_block).
+double usual_value(Field field, double dx) {
+  return field == Field::phi || field == Field::phi_midstep || field == Field::phi_next ? far_cells * dx
+                                                                                        : 0.0;
+}
+
+/// One field of one block, as its owner sends it.
+template <int Dim>
+struct Sending {
+  parallel::Bytes& bytes;
+  const BodyBlock<Dim>& block;
+  Rims<Dim>& rims;
+  double dx;
+
+  template <class T>
+  void operator()(const auto& declaration, const FieldArray<T>& array) const {
+    if (declaration.extent == Extent::cells) {
+      T usual{};
+      if constexpr (std::is_same_v<T, double>) usual = usual_value(declaration.id, dx);
+      put_cells(bytes, array.raw(), rims.of(declaration.id), usual);
+    } else if (declaration.id == Field::walls) {
+      put_cuts(bytes, array.raw(), block.geometry, rims.of(Field::geometry));
+    } else {
+      put_list(bytes, array.raw());
+    }
+  }
+  void operator()(const auto& declaration, const Geometry<Dim>& geometry) const {
+    const NearCells& near = rims.of(declaration.id);
+    put_cells(bytes, geometry.kind.raw(), near, CellKind::empty);
+    put_cuts(bytes, geometry.cuts.raw(), geometry, near);
+  }
+  void operator()(const auto& /*declaration*/, const Donors<Dim>& donors) const {
+    put_list(bytes, donors.cells.raw());
+    put_list(bytes, donors.parts.raw());
+  }
+};
+
+/// The same where it arrives.
+template <int Dim>
+struct Receiving {
+  parallel::Unpacker& from;
+  Rims<Dim>& rims;
+  double dx;
+
+  template <class T>
+  void operator()(const auto& declaration, FieldArray<T>& array) const {
+    if (declaration.extent == Extent::cells) {
+      T usual{};
+      if constexpr (std::is_same_v<T, double>) usual = usual_value(declaration.id, dx);
+      take_cells(from, array.raw(), static_cast<std::size_t>(declaration.components), rims.of(declaration.id),
+                 usual);
+    } else {
+      take_list(from, array.raw());
+    }
+  }
+  void operator()(const auto& declaration, Geometry<Dim>& geometry) const {
+    const NearCells& near = rims.of(declaration.id);
+    take_cells(from, geometry.kind.raw(), 1, near, CellKind::empty);
+    take_list(from, geometry.cuts.raw());
+    auto& index = geometry.index.raw();
+    index.assign(near.holds.size(), -1);
+    int k = 0;
+    for (const CutCell<Dim>& cut : geometry.cuts.raw()) index[static_cast<std::size_t>(cut.cell)] = k++;
+  }
+  void operator()(const auto& /*declaration*/, Donors<Dim>& donors) const {
+    take_list(from, donors.cells.raw());
+    take_list(from, donors.parts.raw());
+  }
+};
+
+/// Calls f(declaration, field) for the fields that the body has, in one order for sender and receiver.
 template <int Dim, class F>
-void for_each_vector(BodyBlock<Dim>& b, bool rigid, FieldSet fields, F&& f) {
+void for_each_sent(auto& block, bool rigid, FieldSet fields, F&& f) {
   for_each_field<Dim>([&](const auto& declaration) {
     if (!fields.has(declaration.id) || (rigid && !declaration.of_rigid)) return;
-    for_each_array(b.*declaration.member, [&](auto& array) { f(array.raw()); });
+    f(declaration, block.*declaration.member);
   });
 }
 
 }  // namespace
 
 template <int Dim>
-void exchange_fields(State<Dim>& state, const parallel::World& world, FieldSet fields) {
+void exchange_fields(State<Dim>& state, const parallel::World& world, FieldSet fields, int reach) {
+  const double dx = state.grid().dx;
   exchange(
       state.mesh, world,
-      [&](int slot, parallel::Bytes& bytes) {
-        for (Body<Dim>& body : state.bodies) {
-          BodyBlock<Dim>& b = body.at(slot);
+      [&](int slot, int rank, parallel::Bytes& bytes) {
+        Rims<Dim> rims(state.mesh, slot, rank, reach);
+        for (const Body<Dim>& body : state.bodies) {
+          const BodyBlock<Dim>& b = body.at(slot);
           parallel::pack(bytes, static_cast<char>((b.present ? 1 : 0) | (b.near_surface ? 2 : 0)));
           if (b.present)
-            for_each_vector(b, body.rigid.has_value(), fields, [&](const auto& v) { put(bytes, v); });
+            for_each_sent<Dim>(b, body.rigid.has_value(), fields, Sending<Dim>{bytes, b, rims, dx});
         }
       },
       [&](int slot, parallel::Unpacker& from) {
+        Rims<Dim> rims(state.mesh, slot, world.rank(), reach);
         for (Body<Dim>& body : state.bodies) {
           const int flags = from.read<char>();
           if ((flags & 1) == 0) {
@@ -54,13 +253,13 @@ void exchange_fields(State<Dim>& state, const parallel::World& world, FieldSet f
           enter_block(body, slot, state.grid());
           BodyBlock<Dim>& b = body.at(slot);
           b.near_surface = (flags & 2) != 0;
-          for_each_vector(b, body.rigid.has_value(), fields, [&](auto& v) { take(from, v); });
+          for_each_sent<Dim>(b, body.rigid.has_value(), fields, Receiving<Dim>{from, rims, dx});
         }
       });
 }
 
-template void exchange_fields<1>(State<1>&, const parallel::World&, FieldSet);
-template void exchange_fields<2>(State<2>&, const parallel::World&, FieldSet);
-template void exchange_fields<3>(State<3>&, const parallel::World&, FieldSet);
+template void exchange_fields<1>(State<1>&, const parallel::World&, FieldSet, int);
+template void exchange_fields<2>(State<2>&, const parallel::World&, FieldSet, int);
+template void exchange_fields<3>(State<3>&, const parallel::World&, FieldSet, int);
 
 }  // namespace recoil

@@ -3,6 +3,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "material/damage/damage_drive.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
@@ -46,10 +47,10 @@ constexpr auto field_declarations() {
   using enum Extent;
   using R = Restriction;
   using P = Prolongation;
+  using Doubles = FieldDeclaration<Dim, FieldArray<double>>;
   return std::tuple{
-      // The state: Q [per Components::contents], V, phi [m] negative inside; the velocity that moves phi
-      // [m/s],
-      // of the last step; a bit for every body that the cell's fragment touched in the last step.
+      // The state: Q [per Components::contents], V, phi [m] negative inside; the velocity of phi in the last
+      // step [m/s]; a bit for every body that the cell's fragment touched in it.
       FieldDeclaration{Field::contents, "contents", &B::contents, C::contents, run, cells, false, R::sum,
                        P::conservative, true},
       FieldDeclaration{Field::volume, "volume", &B::volume, 1, run, cells, false, R::sum, P::conservative,
@@ -58,26 +59,24 @@ constexpr auto field_declarations() {
       FieldDeclaration{Field::extension_velocity, "extension_velocity", &B::extension_velocity, Dim, run,
                        cells, false, R::mean, P::copy, false},
       FieldDeclaration{Field::contact, "contact", &B::contact, 1, run, cells, false, R::any, P::copy, true},
-      // Kept for the Runge-Kutta mean.
-      FieldDeclaration{Field::contents_old, "contents_old", &B::contents_old, C::contents, step, cells, false,
-                       R::finest_only, P::finest_only, false},
-      FieldDeclaration{Field::volume_old, "volume_old", &B::volume_old, 1, step, cells, false, R::finest_only,
-                       P::finest_only, false},
+      // Kept for the Runge-Kutta mean; allocated where a step has several stages.
+      Doubles{Field::contents_old, "contents_old", &B::contents_old, C::contents, step, cells, false,
+              R::finest_only, P::finest_only, false, Field::count, true},
+      Doubles{Field::volume_old, "volume_old", &B::volume_old, 1, step, cells, false, R::finest_only,
+              P::finest_only, false, Field::count, true},
       // phi half a step on; then, in its memory, the phi that a phase finds for swap_phi().
       FieldDeclaration{Field::phi_midstep, "phi_midstep", &B::phi_midstep, 1, step, cells, true,
                        R::finest_only, P::finest_only, false},
-      FieldDeclaration<Dim, FieldArray<double>>{Field::phi_next, "phi_next", &B::phi_next, 1, step, cells,
-                                                false, R::finest_only, P::finest_only, false,
-                                                Field::phi_midstep},
+      Doubles{Field::phi_next, "phi_next", &B::phi_next, 1, step, cells, false, R::finest_only,
+              P::finest_only, false, Field::phi_midstep},
       // Primitives of the averages of donors; then, in their memory, what reconstructions read.
       FieldDeclaration{Field::average, "average", &B::average, C::primitives, stage, cells, false,
                        R::finest_only, P::finest_only, false},
-      FieldDeclaration<Dim, FieldArray<double>>{Field::stencil, "stencil", &B::stencil, C::primitives, stage,
-                                                cells, false, R::mean, P::linear, false, Field::average},
+      Doubles{Field::stencil, "stencil", &B::stencil, C::primitives, stage, cells, false, R::mean, P::linear,
+              false, Field::average},
       FieldDeclaration{Field::role, "role", &B::role, 1, step, cells, false, R::finest_only, P::finest_only,
                        false},
-      // Mid-step, with surfaces shared where bodies touch: what the stages use. After the step: what moves of
-      // volume use.
+      // Mid-step, with surfaces shared where bodies touch: for the stages; of the step's end: for moves.
       FieldDeclaration{Field::geometry, "geometry", &B::geometry, 1, step, cells, true, R::finest_only,
                        P::finest_only, true},
       FieldDeclaration{Field::end_geometry, "end_geometry", &B::end_geometry, 1, step, cells, true,
@@ -91,12 +90,14 @@ constexpr auto field_declarations() {
       FieldDeclaration{Field::updates, "updates", &B::updates, 1, stage, cuts, false, R::finest_only,
                        P::finest_only, false},
       // Sum over the stages of the classical Runge-Kutta rule; allocated by it.
-      FieldDeclaration<Dim, FieldArray<double>>{Field::contents_sum, "contents_sum", &B::contents_sum,
-                                                C::contents, step, cells, false, R::finest_only,
-                                                P::finest_only, false, Field::count, true},
+      Doubles{Field::contents_sum, "contents_sum", &B::contents_sum, C::contents, step, cells, false,
+              R::finest_only, P::finest_only, false, Field::count, true},
       // Fluxes through the sides beyond which cells are coarser, of the last stage.
-      FieldDeclaration<Dim, FieldArray<double>>{Field::rims, "rims", &B::rims, 1, stage, rims, false,
-                                                R::finest_only, P::finest_only, false, Field::count, true}};
+      Doubles{Field::rims, "rims", &B::rims, 1, stage, rims, false, R::finest_only, P::finest_only, false,
+              Field::count, true},
+      // What damage grows by, to be averaged over cells around (DamageDrive); allocated by what averages it.
+      Doubles{Field::damage_drive, "damage_drive", &B::damage_drive, DamageDrive::components, stage, cells,
+              false, R::finest_only, P::finest_only, false, Field::count, true}};
 }
 
 /// Calls f(declaration) for every field.
@@ -105,7 +106,7 @@ constexpr void for_each_field(F&& f) {
   std::apply([&](const auto&... declaration) { (f(declaration), ...); }, field_declarations<Dim>());
 }
 
-/// Calls f(array) for the one array of a field, or for the several of a geometry.
+/// Calls f(array) for the one array of a field, or for the several of a geometry and of donors.
 template <class T, class F>
 void for_each_array(FieldArray<T>& field, F&& f) {
   f(field);
@@ -127,6 +128,17 @@ void for_each_array(const Geometry<Dim>& field, F&& f) {
   f(field.cuts);
 }
 
+template <int Dim, class F>
+void for_each_array(Donors<Dim>& field, F&& f) {
+  f(field.cells);
+  f(field.parts);
+}
+template <int Dim, class F>
+void for_each_array(const Donors<Dim>& field, F&& f) {
+  f(field.cells);
+  f(field.parts);
+}
+
 /// The fields whose declaration satisfies a condition.
 template <int Dim, class Condition>
 constexpr FieldSet fields_where(Condition&& condition) {
@@ -144,11 +156,12 @@ constexpr FieldSet run_fields() {
 }
 
 /// Bytes that a deformable body takes in each cell of its blocks, without lists of cut cells.
+/// @param on_demand the fields that are allocated besides those that always are.
 template <int Dim>
-double bytes_per_cell() {
+double bytes_per_cell(FieldSet on_demand) {
   double sum = 0;
   for_each_field<Dim>([&](const auto& d) {
-    if (!d.allocated()) return;
+    if (!d.allocated() && !on_demand.has(d.id)) return;
     const BodyBlock<Dim> none;
     for_each_array(none.*d.member, [&](const auto& array) {
       using T = typename std::remove_cvref_t<decltype(array)>::value_type;

@@ -115,6 +115,7 @@ class Filling {
     if (volumes) b.contents.raw().resize(n_ * Components<Dim>::contents), b.volume.raw().resize(n_);
     if (fields_.has(Field::phi)) b.phi.raw().resize(n_);
     if (fields_.has(Field::stencil)) b.stencil.raw().resize(n_ * Components<Dim>::primitives);
+    if (by_.from_coarser) mark_full(b);
     if (by_.from_coarser)
       from_coarser(b, volumes);
     else
@@ -124,6 +125,18 @@ class Filling {
  private:
   std::size_t place(int slot, const Index<Dim>& i) const {
     return static_cast<std::size_t>(mesh_.grid().layout().at(i - mesh_.block(slot).cells.lo));
+  }
+
+  /// Coarser blocks have no surface. Blocks beside them may: what they read here is full of matter.
+  void mark_full(BodyBlock<Dim>& b) {
+    if (mesh_.block(slot_).level > 0 || b.role.raw().size() == n_) return;
+    b.role.raw().assign(n_, donates | regular | valued);
+    const double far = far_cells * mesh_.grid().dx;
+    b.phi_midstep.raw().assign(n_, -far), b.phi_next.raw().assign(n_, -far);
+    for (Geometry<Dim>* g : {&b.geometry, &b.end_geometry}) {
+      g->kind.raw().assign(n_, CellKind::full);
+      g->index.raw().assign(n_, -1);
+    }
   }
 
   void from_coarser(BodyBlock<Dim>& b, bool volumes) {

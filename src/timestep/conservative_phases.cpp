@@ -39,7 +39,7 @@ void find_walls(StepRun<Dim>& step, double dt, const Stage& stage) {
   const double booked = stage.faces == FaceTime::now ? stage.weight : 0;
   step.for_each_slot(StepPhase::walls, access, [&](int slot, Scratch& scratch) {
     for (Body<Dim>& body : state.bodies)
-      if (!body.rigid && body.present(slot)) evaluate_fits(state, body, slot, step.counters(slot));
+      if (!body.rigid && body.present(slot)) evaluate_fits(state, body, slot, step.counters(slot), scratch);
     find_walls(state, slot, dt, booked, scratch);
   });
 }
@@ -81,9 +81,10 @@ void update_matter(StepRun<Dim>& step, double dt, const Stage& stage) {
 template <int Dim>
 void redistribute_small_fragments(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"redistribute", contents | volume | geometry | phi, {}, updates};
-  step.for_each_body(StepPhase::redistribution, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    redistribute(step.state(), body, slot, step.counters(slot), scratch);
-  });
+  step.for_each_body(StepPhase::redistribution, {access, 8},
+                     [&](Body<Dim>& body, int slot, Scratch& scratch) {
+                       redistribute(step.state(), body, slot, step.counters(slot), scratch);
+                     });
   apply_updates(step, StepPhase::redistribution);
 }
 
@@ -102,7 +103,7 @@ void exchange_along_surfaces(StepRun<Dim>& step) {
   static constexpr FieldAccess access{
       "exchange along surfaces", contents | volume | end_geometry, {}, updates};
   if (Dim == 1) return;
-  step.for_each_body(StepPhase::moves, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.for_each_body(StepPhase::moves, {access, 1}, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     exchange_along_surface(step.state(), body, slot, scratch);
   });
   apply_updates(step, StepPhase::moves);
@@ -130,13 +131,13 @@ template <int Dim>
 void empty_and_fill(StepRun<Dim>& step) {
   static constexpr FieldAccess empty{"empty outside", contents | volume | end_geometry | phi, {}, updates},
       fill{"fill inside", contents | volume | end_geometry | phi, {}, updates};
-  step.for_each_body(StepPhase::moves, empty, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.for_each_body(StepPhase::moves, {empty, 2}, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     State<Dim>& state = step.state();
     empty_outside(state, body, slot, state.ledger[slot].edges[&body - state.bodies.data()], scratch);
   });
   apply_updates(step, StepPhase::moves);
   fit_voids(step);
-  step.for_each_body(StepPhase::moves, fill, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.for_each_body(StepPhase::moves, {fill, 3}, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     State<Dim>& state = step.state();
     fill_inside(state, body, slot, state.ledger[slot].edges[&body - state.bodies.data()], scratch);
   });
@@ -146,7 +147,7 @@ void empty_and_fill(StepRun<Dim>& step) {
 template <int Dim>
 void bound_volumes(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"bound volumes", contents | volume | end_geometry, {}, updates};
-  step.for_each_body(StepPhase::moves, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.for_each_body(StepPhase::moves, {access, 3}, [&](Body<Dim>& body, int slot, Scratch& scratch) {
     bound_volumes(step.state(), body, slot, step.counters(slot), scratch);
   });
   apply_updates(step, StepPhase::moves);

@@ -22,6 +22,7 @@ double advance_ghost_fluid(State<Dim>& state, const Stepping& stepping, double u
     return_to_yield(step, dt, stage.old_weight);  // then the Runge-Kutta mean
     refresh_averages(step);
   }
+  fail_at_once(step);
   find_ghosts(step, dt, 0);  // of the new state, for the cells that the surfaces uncover
 
   // The level set is advected with the walls, almost without redistancing beside the surface.

@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "dynamics/damage/nonlocal_damage.hpp"
 #include "dynamics/inadmissible.hpp"
 #include "dynamics/plastic_return.hpp"
 #include "dynamics/primitives.hpp"
-#include "interface/fit.hpp"
+#include "interface/donors.hpp"
 #include "interface/values.hpp"
 #include "interface/walls.hpp"
 #include "levelset/band.hpp"
@@ -31,6 +32,7 @@ using enum Field;
 constexpr double frozen_band = 1.6;          // [dx] phi nearer to the surface is not redistanced every step
 constexpr double travel_to_redistance = 10;  // [dx] that surfaces move between full redistancings
 constexpr double shortest_step = 1e-18;      // s
+constexpr int reach_between_steps = 4;       // cells that gauges and regridding read around a block
 
 /// 0 where a process has no blocks.
 double largest(const std::vector<double>& values) {
@@ -42,25 +44,20 @@ double largest(const std::vector<double>& values) {
 template <int Dim>
 void place_rigid_bodies(StepRun<Dim>& step, double ahead, PhiAt where) {
   State<Dim>& state = step.state();
-  for (Body<Dim>& body : state.bodies)
-    for (int slot = 0; slot < state.mesh.local(); ++slot)
+  if (std::ranges::none_of(state.bodies, [](const Body<Dim>& body) { return body.rigid.has_value(); }))
+    return;
+  const Timers<StepPhase>::Span span(step.engine().timers, StepPhase::level_set);
+  step.engine().team.run(state.mesh.local(), [&](int slot, int /*worker*/) {
+    for (Body<Dim>& body : state.bodies)
       if (body.rigid && body.present(slot)) place_rigid(state, body, slot, ahead, where);
+  });
   step.has_changed(where == PhiAt::midstep ? phi_midstep : phi);
 }
 
-/// Averages are taken among cells of one size only.
+/// Whether the damage of a body comes from means over cells.
 template <int Dim>
-[[noreturn]] void refuse_between_levels(const State<Dim>& state, const Body<Dim>& body, int slot) {
-  const Vec<Dim> x = state.grid(slot).centre(state.mesh.block(slot).cells.lo);
-  std::string at;
-  for (int d = 0; d < Dim; ++d) at += fmt::format("{}{:.4g}", d > 0 ? ", " : "", x[d] * 1e3);
-  const std::vector<double> place{x.c.begin(), x.c.end()};
-  throw StateError(
-      body.name, place,
-      fmt::format(
-          "a state of {} is beyond its equation of state beside cells of another size, in the block at "
-          "({}) mm, {:.6g} us; a box of finest cells there ([refine.NAME]) or a lower mesh.bend helps",
-          body.name, at, state.time * 1e6));
+bool averages_damage(const Body<Dim>& body) {
+  return !body.rigid && recoil::averages_damage(body.material);
 }
 
 template <int Dim>
@@ -103,10 +100,11 @@ template <int Dim>
 double choose_length(StepRun<Dim>& step, const Stepping& stepping, double until) {
   static constexpr FieldAccess access{"choose length", {}, role | average | extension_velocity, {}};
   const State<Dim>& state = step.state();
+  const double sound = sound_in_step(Dim, stepping.stages);
   std::vector<double> fastest(static_cast<std::size_t>(state.mesh.local()), 0);
   step.for_each_body(StepPhase::averages, access, [&](Body<Dim>& body, int slot, Scratch&) {
     double& f = fastest[slot];
-    f = std::max(f, fastest_signal(state, body, slot, step.counters(slot)));
+    f = std::max(f, fastest_signal(state, body, slot, sound, step.counters(slot)));
   });
   double signal = step.engine().world.max(largest(fastest));
   for (const Body<Dim>& body : state.bodies)
@@ -153,7 +151,7 @@ void cut_cells(StepRun<Dim>& step, Surfaces surfaces, PhiAt when, double ahead) 
 
 template <int Dim>
 void choose_donors_and_ghosts(StepRun<Dim>& step, Cells cells) {
-  static constexpr FieldAccess fits{"choose donors", role | geometry | phi | volume, contents,
+  static constexpr FieldAccess fits{"choose donors", role | geometry | phi | volume | contact, contents,
                                     donors | walls},
       beyond{"choose ghosts", role | geometry | walls | phi, {}, ghosts};
   step.for_each_body(StepPhase::fits, fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
@@ -179,7 +177,7 @@ void apply_updates(StepRun<Dim>& step, StepPhase part) {
 }
 
 template <int Dim>
-void average_inadmissible_states(StepRun<Dim>& step) {
+void average_inadmissible_states(StepRun<Dim>& step, double most_damage) {
   static constexpr FieldAccess mark{"mark inadmissible states", {}, volume, contents | role},
       mean{"average inadmissible states", role | contents | volume | end_geometry, {}, updates},
       clear{"clear marks", {}, {}, role};
@@ -187,14 +185,14 @@ void average_inadmissible_states(StepRun<Dim>& step) {
   make_room(step.engine().averaged, step.state());
   for (int width = 1; width <= 3; ++width) {
     step.for_each_body(part, mark, [&](Body<Dim>& body, int slot, Scratch&) {
-      const std::int64_t marked = mark_inadmissible(step.state(), body, slot, step.counters(slot));
+      const std::int64_t marked =
+          mark_inadmissible(step.state(), body, slot, step.counters(slot), most_damage);
       if (marked == 0) return;
-      if (!step.state().mesh.is_among_equals(slot)) refuse_between_levels(step.state(), body, slot);
       step.counters(slot).averaged_states += marked;
       note_averaged(step.engine().averaged, step.state(), body, slot, marked);
     });
     if (!has_inadmissible_states(step)) return;
-    step.for_each_body(part, mean, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    step.for_each_body(part, {mean, 3 * width}, [&](Body<Dim>& body, int slot, Scratch& scratch) {
       average_inadmissible(step.state(), body, slot, width, scratch);
     });
     apply_updates(step, part);
@@ -204,14 +202,52 @@ void average_inadmissible_states(StepRun<Dim>& step) {
 }
 
 template <int Dim>
-void return_to_yield(StepRun<Dim>& step, double dt, double old_weight) {
-  static constexpr FieldAccess access{"return to yield", {}, contents_old | volume_old, contents | volume};
-  step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
-    return_to_yield(step.state(), body, slot, dt, step.state().ledger[slot]);
+void return_to_yield(StepRun<Dim>& step, double dt, double old_weight, double most_damage) {
+  static constexpr FieldAccess access{
+      "return to yield", {}, contents_old | volume_old, contents | volume | damage_drive},
+      grow{"grow damage", damage_drive, contents_old | volume_old, contents | volume};
+  const auto grows_by_mean = [](const Body<Dim>& body) {
+    return averages_damage(body) && !fails_at_once(body.material.damage);
+  };
+  const auto combine = [&](Body<Dim>& body, int slot) {
     if (old_weight > 0) combine_with_old(step.state(), body, slot, old_weight);
     // Of what has been combined: a mean of states on the crush curve is beyond it.
     crush_pores(step.state(), body, slot, step.counters(slot));
+  };
+  step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    return_to_yield(step.state(), body, slot, dt, step.state().ledger[slot], most_damage);
+    if (!grows_by_mean(body)) combine(body, slot);
   });
+  if (std::ranges::none_of(step.state().bodies, grows_by_mean)) return;
+  step.for_each_body(StepPhase::plasticity, {grow, averaged_cells(step.state())},
+                     [&](Body<Dim>& body, int slot, Scratch& scratch) {
+                       if (!grows_by_mean(body)) return;
+                       grow_by_mean(step.state(), body, slot, dt, most_damage, step.state().ledger[slot],
+                                    scratch);
+                       combine(body, slot);
+                     });
+}
+
+template <int Dim>
+void fail_at_once(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"fail at once", {}, volume, contents | damage_drive},
+      by_mean{"fail at once by means", damage_drive, volume, contents};
+  const auto fails_by_mean = [](const Body<Dim>& body) {
+    return averages_damage(body) && fails_at_once(body.material.damage);
+  };
+  step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
+    if (can_fail(body.material.damage)) bound_damage(step.state(), body, slot);
+    if (fails_by_mean(body))
+      note_damage_drive(step.state(), body, slot);
+    else
+      fail_at_once(step.state(), body, slot, step.state().ledger[slot]);
+  });
+  if (std::ranges::none_of(step.state().bodies, fails_by_mean)) return;
+  step.for_each_body(StepPhase::plasticity, {by_mean, averaged_cells(step.state())},
+                     [&](Body<Dim>& body, int slot, Scratch& scratch) {
+                       if (fails_by_mean(body))
+                         fail_at_once_by_mean(step.state(), body, slot, step.state().ledger[slot], scratch);
+                     });
 }
 
 template <int Dim>
@@ -310,7 +346,8 @@ void update_bands(StepRun<Dim>& step) {
     step.has_changed(FieldSet::all());
   }
   step.exchange(
-      fields_where<Dim>([](const auto& d) { return d.lifetime == Lifetime::run && d.in_field_files; }));
+      fields_where<Dim>([](const auto& d) { return d.lifetime == Lifetime::run && d.in_field_files; }),
+      reach_between_steps);
   step.fill_stand_ins(contents | volume | phi);
 }
 
@@ -324,8 +361,9 @@ void update_bands(StepRun<Dim>& step) {
   template void choose_donors_and_ghosts<Dim>(StepRun<Dim>&, Cells);          \
   template void fill_values<Dim>(StepRun<Dim>&);                              \
   template void apply_updates<Dim>(StepRun<Dim>&, StepPhase);                 \
-  template void average_inadmissible_states<Dim>(StepRun<Dim>&);              \
-  template void return_to_yield<Dim>(StepRun<Dim>&, double, double);          \
+  template void average_inadmissible_states<Dim>(StepRun<Dim>&, double);      \
+  template void return_to_yield<Dim>(StepRun<Dim>&, double, double, double);  \
+  template void fail_at_once<Dim>(StepRun<Dim>&);                             \
   template void advect_surfaces<Dim>(StepRun<Dim>&, double);                  \
   template void move_rigid_bodies<Dim>(StepRun<Dim>&, double);                \
   template void remember_contact<Dim>(StepRun<Dim>&);                         \

@@ -17,9 +17,16 @@ namespace recoil {
 struct Stage {
   double old_weight, weight;
   FaceTime faces = FaceTime::now;
+  double most_damage = 1;  // how far damage may grow
 };
+/// How far damage may grow in one of several stages: beyond 1, so that the mean of the stages is 1 or more
+/// where the step ends with failure. Cut off at 1 in each stage, the mean with the state before the step
+/// would approach 1 by a factor of 3 a step: four steps too late where damage grows by 0.1 in one.
+inline constexpr double most_damage_in_stage = 2;
 /// SSP-RK3 (Shu & Osher 1988).
-inline constexpr std::array<Stage, 3> ssp_rk3{{{0, 1.0 / 6}, {0.75, 1.0 / 6}, {1.0 / 3, 2.0 / 3}}};
+inline constexpr std::array<Stage, 3> ssp_rk3{{{0, 1.0 / 6, FaceTime::now, most_damage_in_stage},
+                                               {0.75, 1.0 / 6, FaceTime::now, most_damage_in_stage},
+                                               {1.0 / 3, 2.0 / 3, FaceTime::now, most_damage_in_stage}}};
 /// One stage with values at faces, and walls, of the middle of the step.
 inline constexpr std::array<Stage, 1> one_stage{{{0, 1, FaceTime::midstep}}};
 inline std::span<const Stage> stages_of(StepStages stages) {
@@ -49,10 +56,14 @@ template <int Dim>
 void fill_values(StepRun<Dim>& step);
 /// Averages inadmissible states with what is around them, in wider and wider windows, and counts them.
 template <int Dim>
-void average_inadmissible_states(StepRun<Dim>& step);
+void average_inadmissible_states(StepRun<Dim>& step, double most_damage = 1);
 /// Radial return, then the Runge-Kutta mean with `old_weight` of the old state.
+/// @param most_damage how far damage may grow in the stage.
 template <int Dim>
-void return_to_yield(StepRun<Dim>& step, double dt, double old_weight);
+void return_to_yield(StepRun<Dim>& step, double dt, double old_weight, double most_damage = 1);
+/// At the end of the stages: damage is at most 1, and matter fails whose damage model has no rate.
+template <int Dim>
+void fail_at_once(StepRun<Dim>& step);
 /// Primitives of the new averages, with the roles of the step.
 template <int Dim>
 void refresh_averages(StepRun<Dim>& step);

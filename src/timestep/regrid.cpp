@@ -21,24 +21,32 @@ namespace {
 
 /// What each block asks, of own blocks and of those that touch them.
 template <int Dim>
-std::vector<Asks> all_asks(const State<Dim>& state, Engine& engine, const Refinement<Dim>& rules) {
-  std::vector<Asks> asks(static_cast<std::size_t>(state.mesh.leaves()), Asks::nothing);
-  engine.team.run(state.mesh.local(), [&](int slot, int) { asks[slot] = asks_of(state, slot, rules); });
+std::vector<Need<Dim>> all_needs(const State<Dim>& state, Engine& engine, const Refinement<Dim>& rules) {
+  std::vector<Need<Dim>> needs(static_cast<std::size_t>(state.mesh.leaves()));
+  engine.team.run(state.mesh.local(), [&](int slot, int) { needs[slot] = need_of(state, slot, rules); });
   exchange(
-      state.mesh, engine.world, [&](int slot, parallel::Bytes& bytes) { parallel::pack(bytes, asks[slot]); },
-      [&](int slot, parallel::Unpacker& from) { asks[slot] = from.read<Asks>(); });
-  return asks;
+      state.mesh, engine.world,
+      [&](int slot, int, parallel::Bytes& bytes) {
+        parallel::pack(bytes, needs[slot].level);
+        parallel::pack(bytes, needs[slot].finest);
+      },
+      [&](int slot, parallel::Unpacker& from) {
+        needs[slot].level = from.read<Asks>();
+        needs[slot].finest = from.read<Box<Dim>>();
+      });
+  return needs;
 }
 
 /// The level that each own block wants, one step from its own.
 template <int Dim>
-std::vector<int> wanted_levels(const State<Dim>& state, const std::vector<Asks>& asks) {
+std::vector<int> wanted_levels(const State<Dim>& state, const std::vector<Need<Dim>>& needs) {
   const Mesh<Dim>& mesh = state.mesh;
   std::vector<int> wanted(static_cast<std::size_t>(mesh.local()));
   for (int slot = 0; slot < mesh.local(); ++slot) {
-    Asks most = asks[slot];
+    Asks most = needs[slot].level;
+    const Box<Dim> cells = finest_cells(mesh, slot);
     mesh.for_each_adjacent(slot, [&](int s) {
-      if (asks[s] == Asks::finest) most = Asks::finest;
+      if (have_common_cells(mesh.grid(), needs[s].finest, cells)) most = Asks::finest;
     });
     const int level = mesh.block(slot).level;
     wanted[slot] = most == Asks::finest ? std::max(level - 1, 0)
@@ -272,7 +280,7 @@ bool regrid(State<Dim>& state, Engine& engine, const Refinement<Dim>& rules) {
   if (state.step % rules.every != 0 && !engine.world.any(must)) return false;
   bool changed = false;
   for (int pass = 0; pass < state.mesh.levels(); ++pass) {
-    if (!adapt(state, engine, wanted_levels(state, all_asks(state, engine, rules)))) break;
+    if (!adapt(state, engine, wanted_levels(state, all_needs(state, engine, rules)))) break;
     changed = true;
   }
   return changed;

@@ -6,8 +6,8 @@
 
 namespace recoil {
 
-/// Where the cells are the finest. Always so: near the surfaces of deformable bodies, in matter that is
-/// damaged, and in the blocks beside such ones.
+/// Where the cells are the finest. Always so: in blocks near the surfaces of deformable bodies and 11 cells
+/// around these, in matter that is damaged, and in the blocks beside that.
 template <int Dim>
 struct Refinement {
   double bend = 0.1;  // of the velocity, over three cells, in parts of that at which the matter yields

@@ -23,6 +23,7 @@ double advance_seed(State<Dim>& state, const Stepping& stepping, double until, E
     return_to_yield(step, stage.length * dt, 0);
     refresh_averages(step);
   }
+  fail_at_once(step);
   find_seed_ghosts(step, stepping.kappa, dt, 0);  // of the new state, for the cells that the surfaces uncover
 
   // The level set is advected with the walls and is redistanced everywhere.

@@ -28,10 +28,11 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
     move_walls(step, dt, stage);     // to the middle of the step, where it has one stage
     update_matter(step, dt, stage);  // Q += dt R, V += dt R_V
     redistribute_small_fragments(step);
-    average_inadmissible_states(step);
-    return_to_yield(step, dt, stage.old_weight);  // then the Runge-Kutta mean
+    average_inadmissible_states(step, stage.most_damage);
+    return_to_yield(step, dt, stage.old_weight, stage.most_damage);  // then the Runge-Kutta mean
     refresh_averages(step);
   }
+  fail_at_once(step);
 
   // The level set is advected with the walls, then follows the volumes; volume moves only with its contents.
   move_rigid_bodies(step, dt);

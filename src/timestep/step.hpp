@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "core/timers.hpp"
@@ -30,9 +31,16 @@ const char* name_of(StepPhase part);
 /// Stages of a step of the conservative scheme.
 enum class StepStages { one, three };
 
+/// How often the speed of sound counts in the length of a step, beside sum_d |u_d|. A wave has one direction:
+/// sqrt(dim) with three stages. The half steps across each face make one stage stable up to dt = dx/(dim c)
+/// only: dim (docs/decisions/0036).
+inline double sound_in_step(int dim, StepStages stages) {
+  return stages == StepStages::one ? dim : std::sqrt(static_cast<double>(dim));
+}
+
 /// What drives the steps of a run.
 struct Stepping {
-  double cfl = 0.9;                // of min dx/sum_d(|u_d| + c_L)
+  double cfl = 0.9;                // of min dx/(sum_d |u_d| + sound_in_step c_L)
   std::optional<double> fixed_dt;  // s, instead of the stable step
   double kappa = 0.5;              // [dx] distance at which bodies meet; seed scheme only
   StepStages stages = StepStages::three;

@@ -38,8 +38,8 @@ template <int Dim, class Find>
 void find_ghosts_by(StepRun<Dim>& step, Find&& find) {
   static constexpr FieldAccess fits{"evaluate fits", average, geometry | donors | contents | volume, walls},
       contacts{"find ghost walls", phi_midstep | phi | role | contact | geometry | average, donors, walls};
-  step.for_each_body(StepPhase::walls, fits, [&](Body<Dim>& body, int slot, Scratch&) {
-    evaluate_fits(step.state(), body, slot, step.counters(slot));
+  step.for_each_body(StepPhase::walls, fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    evaluate_fits(step.state(), body, slot, step.counters(slot), scratch);
   });
   step.update_copies(walls);
   step.for_each_slot(StepPhase::walls, contacts, find);

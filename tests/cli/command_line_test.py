@@ -6,9 +6,10 @@ import filecmp
 import json
 import os
 import struct
+import subprocess
 import unittest
 
-from program import COARSE, DATA, FLYER, Program, recoil
+from program import COARSE, DATA, FLYER, PROGRAM, Program, recoil
 
 
 class Usage(Program):
@@ -338,6 +339,42 @@ class Ranks(Program):
         self.assertIn("tension", [reason["what"] for reason in told["1"]["reasons"]])
         self.assertEqual(told["1"], told["2"])
         self.assertEqual(told["1"], told["3"])
+
+    def test_means_of_damage_are_the_same_on_any_number_of_processes(self):
+        case = DATA / "cases" / "spall_rotated" / "case.toml"
+        words = ["--set", "mesh.finest=0.1mm", "--set", "mesh.block=16", "--end", "0.8us", "-j", "1"]
+        laws = {"tensile": 'kind="tensile", threshold="1 GPa", time="0.02 us"',
+                "at-once": 'kind="minimum-pressure", tension="1.2 GPa"'}
+        for name, law in laws.items():
+            for ranks in ("1", "3"):
+                result = recoil("run", case, *words, "--set", f'material.breaking.damage={{{law}, length="0.4 mm"}}',
+                                "-n", ranks, "-o", self.folder / (name + ranks))
+                self.assertIn(result.returncode, (0, 5, 6), result.stderr)  # cells are coarser than in the case
+            for file in ("gauges/rear.csv", "history.csv", "events.csv"):
+                self.assertTrue(filecmp.cmp(self.folder / (name + "1") / file, self.folder / (name + "3") / file,
+                                            shallow=False), f"{name} {file}")
+            self.assertIn("failure", (self.folder / (name + "1") / "events.csv").read_text())
+
+    def test_rims_hold_all_that_is_read_in_three_dimensions(self):
+        case = DATA / "cases" / "taylor_copper_3d" / "case.toml"
+        words = ["--set", "mesh.finest=0.4mm", "--set", "mesh.block=10", "--end", "0.5us", "-j", "1"]
+        for ranks in ("1", "2", "3"):
+            done = recoil("run", case, "-n", ranks, "-o", self.folder / ranks, "--verbose", *words)
+            self.expect(done, 5, *([] if ranks == "1" else [f"sent in a step by each of {ranks} processes"]))
+        for ranks in ("2", "3"):
+            for file in ("gauges/rear.csv", "gauges/bar.csv", "gauges/wall.csv", "history.csv"):
+                self.assertTrue(filecmp.cmp(self.folder / "1" / file, self.folder / ranks / file, shallow=False),
+                                f"{ranks} {file}")
+
+    def test_one_process_looks_at_the_case_for_all(self):
+        wrong = self.case(('x = ["0 mm", "15 mm"]', 'x = ["-1 mm", "15 mm"]'))
+        rights = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        done = subprocess.run(["mpirun", "--oversubscribe", "-q", "-n", "3", PROGRAM, "run", wrong,
+                               "-o", self.folder / "out"], capture_output=True, text=True, timeout=100,
+                              check=False, env={**os.environ, **rights})
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stderr.count("overlap by 1 mm"), 1, done.stderr)
+        self.assertFalse((self.folder / "out").exists())
 
     def test_exit_codes_come_through_mpirun(self):
         self.expect(recoil("run", self.case(), "-n", "2", "--set", "mesh.finest=1us"), 2, "dimension [time]")

@@ -46,6 +46,23 @@ class Levels(Program):
         with h5py.File(min((out / "fields").glob("*.hdf"))) as dump:
             return int(dump["VTKHDF"]["NumberOfCells"][0])
 
+    def test_bad_states_in_coarser_cells_are_averaged(self):
+        """Copper that cannot fail, stretched beyond its equation of state where nothing asks for the finest cells:
+        at 4.1 us beside cells of another size."""
+        words = ["mesh.bend=1e6", "body.flyer.velocity.x=3km/s", 'body.flyer.material="copper/seed"']
+        words += ['domain.x=["-4mm","40mm"]', "output.report=false"]
+        runs = []
+        for processes in ("1", "3"):
+            out = self.folder / f"averaged_{processes}"
+            case = DATA / "cases" / "flyer_levels" / "case.toml"
+            result = recoil("run", case, "-o", out, "-n", processes, *[w for v in words for w in ("--set", v)])
+            self.assertEqual(result.returncode, 5, result.stderr)  # what it expects is of another impact
+            summary = json.loads((out / "summary.json").read_text())
+            self.assertGreater(summary["floors"]["averaged-states"], 10)
+            self.assertLess(max(summary["budgets"]["total"].values()), 1e-13)
+            runs.append(out)
+        self.expect_same(*runs)
+
     def test_the_level_is_a_field(self):
         out = self.run_flyer("field")
         self.expect(recoil("plot", out, "level", self.folder / "level.png"), 0)
@@ -58,6 +75,7 @@ class Levels(Program):
             (["mesh.levels=3", "method.scheme=\"ghost-fluid\""], "conservative"),
             (["mesh.bend=0"], "bend"),
             (["mesh.levels=3", "mesh.every=0"], "every"),
+            (["mesh.levels=3", "mesh.block=11"], "even"),
             (["mesh.levels=4", "mesh.finest=0.05mm", "domain.boundary.x=\"symmetry\""], "multiple of 8 cells"),
         ):
             sets = [word for w in words for word in ("--set", w)]

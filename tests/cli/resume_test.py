@@ -149,7 +149,7 @@ class Resume(unittest.TestCase):
     def kill_while_it_writes(self, name, *words):
         """A run killed as soon as it has begun to write a checkpoint, then finished."""
         run = self.folder / name
-        self.expect(recoil("run", self.case, "-o", run, "--plain", "--wall", "0.7s", *words), 75)
+        self.expect(recoil("run", self.case, "-o", run, "--plain", "--wall", "0.3s", *words), 75)
         process = subprocess.Popen([PROGRAM, "resume", str(run), "--plain", *words],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
         while process.poll() is None and not list((run / "checkpoints").glob(".*.tmp")):
@@ -168,7 +168,7 @@ class Resume(unittest.TestCase):
 
     def test_other_ranks_and_threads_go_on_to_the_same_bits(self):
         run = self.folder / "other"
-        self.expect(recoil("run", self.case, "-o", run, "--plain", "-n", "2", "--wall", "0.7s"), 75, "recoil resume")
+        self.expect(recoil("run", self.case, "-o", run, "--plain", "-n", "2", "--wall", "0.3s"), 75, "recoil resume")
         self.expect(recoil("status", run), 0, "stopped")
         self.finish(run, "-j", "2")
         self.same(run)

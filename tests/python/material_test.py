@@ -228,7 +228,7 @@ class Refused(Own):
         ):
             self.assertRaises(ImportError, recoil.Material, "copper/seed")
         with unittest.mock.patch.object(recoil.material, "_module", None), unittest.mock.patch.object(
-            pathlib.Path, "glob", return_value=iter(())
+            recoil.material.importlib.machinery, "EXTENSION_SUFFIXES", [".of-another-python.so"]
         ):
             self.assertRaisesRegex(recoil.MissingDependency, "RECOIL_PYTHON", recoil.Material, "copper/seed")
 

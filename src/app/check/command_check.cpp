@@ -12,6 +12,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/load_case.hpp"
+#include "app/run/stepping.hpp"
 #include "core/error.hpp"
 
 namespace recoil::app {
@@ -30,12 +31,13 @@ struct Report {
   bool good() const { return !loaded.found.has_errors(); }
 };
 
-/// The largest |u| + c_L per step, at the start and behind the predicted shocks.
+/// The largest speed that limits a step, at the start and behind the predicted shocks.
 double fastest_of(const Report& r) {
+  const double sound = sound_in_step(r.loaded.contents);
   double fastest = fastest_at_start(r.loaded.contents, r.loaded.materials);
   for (const PlatePrediction& p : r.predictions)
     for (const ShockState* s : {&p.flyer_shock, &p.target_shock})
-      fastest = std::max(fastest, std::abs(p.velocity) + s->release_speed);
+      fastest = std::max(fastest, std::abs(p.velocity) + sound * s->release_speed);
   return fastest;
 }
 

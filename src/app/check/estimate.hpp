@@ -19,7 +19,7 @@ struct Estimate {
   double cut_cells = 0;       // of all bodies
   double step = 0;            // s
   double steps = 0;
-  double memory = 0;   // bytes; of a mesh of several levels at the start
+  double memory = 0;   // bytes, the most, while fields are written; of a mesh of several levels at the start
   double seconds = 0;  // of wall time with one thread; of several levels, if it stayed as at the start
 };
 
@@ -28,7 +28,7 @@ struct Estimate {
 Estimate estimate(const config::Case& c, const std::vector<Material>& materials, double fastest);
 
 /// Memory of one cell full of matter [bytes], with its share of the cells of blocks that are partly empty.
-double bytes_of_cell(int dim);
+double bytes_of_cell(const config::Case& c);
 
 /// Signal speed of a case at its start [m/s]: the largest of |u| + c_L over its bodies, per axis.
 double fastest_at_start(const config::Case& c, const std::vector<Material>& materials);

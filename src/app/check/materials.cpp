@@ -17,6 +17,9 @@ namespace {
 
 using config::Node;
 
+// Cells on each side that damage is averaged over: with fewer, those beside a cell weigh a third or less.
+constexpr double least_averaged = 1.5;
+
 /// The value of a constant of a material as it stands in the case, also where a material of the case is the
 /// base of another; null: it comes from the library.
 const Node* written_constant(const LoadedCase& loaded, std::string name, const std::string& key) {
@@ -67,6 +70,42 @@ void check_starting_states(LoadedCase& loaded) {
   }
 }
 
+/// Only the conservative scheme with three stages knows a shear modulus that follows the state.
+void check_modulus(LoadedCase& loaded, const std::string& material, const Material& m,
+                   const config::Place& place) {
+  const config::Method& method = loaded.contents.method;
+  if (!modulus_follows(m.strength)) return;
+  if (method.scheme != "conservative" || method.stages != "three")
+    loaded.found.error(
+        place,
+        fmt::format(
+            "material '{}': only the conservative scheme with three stages knows a shear modulus that "
+            "follows the state",
+            material),
+        "modulus-follows = 0, or scheme = \"conservative\" with stages = \"three\"");
+}
+
+/// A mean of damage reaches over so many cells that they see each other, and over more than one.
+void check_damage_average(LoadedCase& loaded, const std::string& material, const DamageAverage& average,
+                          const config::Place& place) {
+  if (!average.averages()) return;
+  const double cells = average.length / loaded.contents.mesh.finest;
+  if (cells > DamageAverage::most_cells)
+    loaded.found.error(
+        place,
+        fmt::format(
+            "material '{}': damage is averaged over {:.3g} cells on each side, at most {} are possible",
+            material, cells, DamageAverage::most_cells),
+        fmt::format("length = \"{:.4g} mm\" or less, or a coarser mesh.finest",
+                    DamageAverage::most_cells * loaded.contents.mesh.finest * 1e3));
+  else if (cells < least_averaged)
+    loaded.found.warning(
+        place,
+        fmt::format("material '{}': damage is averaged over {:.3g} cells on each side, which hardly averages",
+                    material, cells),
+        fmt::format("a mesh.finest of {:.4g} mm or less", average.length / least_averaged * 1e3));
+}
+
 }  // namespace
 
 void check_materials(LoadedCase& loaded) {
@@ -81,6 +120,8 @@ void check_materials(LoadedCase& loaded) {
       return node ? node->place : body.material_place;
     };
     const Damage& damage = loaded.materials[m].damage;
+    check_modulus(loaded, body.material, loaded.materials[m], place("strength.modulus-follows"));
+    check_damage_average(loaded, body.material, loaded.materials[m].damage_average, place("damage.length"));
     if (can_fail(damage) && loaded.contents.method.scheme != "conservative")
       loaded.found.error(
           body.material_place,

@@ -23,7 +23,7 @@ using config::Case;
 
 bool moves(const Body& b) {
   return b.velocity != config::Vector{} || b.spin != config::Vector{} || b.radial_velocity != 0 ||
-         !b.velocity_history.empty() || !b.detonation.points.empty();
+         !b.velocity_history.empty() || !b.detonation.points.empty() || b.pressure.value_or(0) != 0;
 }
 
 double speed_of(const Body& b) { return std::hypot(b.velocity[0], b.velocity[1], b.velocity[2]); }
@@ -128,10 +128,11 @@ void check_motion(LoadedCase& loaded) {
   check_drives(loaded);
   const Case& c = loaded.contents;
   if (std::none_of(c.bodies.begin(), c.bodies.end(), moves)) {
-    loaded.found.error(c.bodies.front().place,
-                       "nothing moves: no body has a velocity, a spin, a radial-velocity or a detonation",
-                       fmt::format("e.g. velocity = {{ {} = \"450 m/s\" }} in [body.{}]",
-                                   config::axes_of(c.domain.geometry).front(), c.bodies.front().name));
+    loaded.found.error(
+        c.bodies.front().place,
+        "nothing moves: no body has a velocity, a spin, a radial-velocity, a pressure or a detonation",
+        fmt::format("e.g. velocity = {{ {} = \"450 m/s\" }} in [body.{}]",
+                    config::axes_of(c.domain.geometry).front(), c.bodies.front().name));
     return;
   }
   const std::vector<Approach> all = find_approaches(c);

@@ -53,7 +53,7 @@ void check_size(LoadedCase& loaded) {
   double longest = 0;
   const double cells = cells_of(c, longest);
   // The number of steps does not matter here.
-  double need = cells * bytes_of_cell(dim);
+  double need = cells * bytes_of_cell(c);
   try {
     if (longest <= most_along_axis) need = estimate(c, loaded.materials, 1).memory;
   } catch (const InputError& e) {  // cells that do not fit into the domain

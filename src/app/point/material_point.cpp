@@ -84,6 +84,13 @@ void set_deviator(Contents<3>& contents, const Tensor& s) {
         contents[static_cast<std::size_t>(C::s + c)] = contents[C::rho] * s[static_cast<std::size_t>(i)][j];
 }
 
+/// Shear modulus [Pa] of the state before an increment.
+double modulus_of(const Material& m, const PointState<3>& p) {
+  if (!modulus_follows(m.strength)) return shear_modulus(m);
+  return shear_modulus(m.strength,
+                       {.temperature = p.temperature, .pressure = p.pressure, .compression = p.compression});
+}
+
 /// sigma:D, which is sigma:L.
 double power(const Tensor& stress, const Tensor& l) {
   return dot(stress[0], l[0]) + dot(stress[1], l[1]) + dot(stress[2], l[2]);
@@ -117,10 +124,11 @@ void MaterialPoint::check_density() const {
 void MaterialPoint::advance(const Tensor& l, double dt) {
   const Contents<3> before = contents_;
   const double volume = volume_, power_before = volume * power(stress(), l);
+  const double modulus = modulus_of(body_->material, state());
   volume_ *= std::exp(trace(l) * dt);
   check_density();
   Contents<3> trial = before;
-  set_deviator(trial, distorted(deviator(before), l, dt, shear_modulus(body_->material)));
+  set_deviator(trial, distorted(deviator(before), l, dt, modulus));
   double work = dt * power_before;
   for (int k = 0; k < corrections; ++k) {
     contents_ = trial;

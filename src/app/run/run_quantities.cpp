@@ -233,11 +233,26 @@ RunQuantities read_quantities(const fs::path& run, const fs::path& case_folder) 
   return r;
 }
 
+namespace {
+
+/// `mm` over `us` is `mm/us`, `m/s` over it `m/(s us)`.
+std::string unit_of_slope(const std::string& unit, const std::string& over) {
+  const std::size_t bar = unit.find('/');
+  if (bar == std::string::npos) return unit + "/" + over;
+  std::string below = unit.substr(bar + 1);
+  if (below.starts_with('(')) below = below.substr(1, below.size() - 2);
+  return unit.substr(0, bar) + "/(" + below + " " + over + ")";
+}
+
+}  // namespace
+
 std::string unit_of(const RunQuantities& run, const std::string& quantity) {
   if (const auto [series, column] = column_named_in(run, quantity); series) {
     const std::string name = quantity.substr(0, quantity.find('@'));
     const bool over = name.ends_with(".arrival") || name.ends_with(".until");
-    return over || column == series->columns.size() ? series->over.unit : series->columns[column].unit;
+    if (over || column == series->columns.size()) return series->over.unit;
+    const std::string& unit = series->columns[column].unit;
+    return name.ends_with(".slope") ? unit_of_slope(unit, series->over.unit) : unit;
   }
   const PairName p = pair_name(quantity);
   for (const std::string& name : {quantity, quantity + ".x", p ? p.swapped() : quantity})

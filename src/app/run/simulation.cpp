@@ -15,6 +15,7 @@
 #include "app/run/checkpoint_folder.hpp"
 #include "app/run/crash.hpp"
 #include "app/run/run_quantities.hpp"
+#include "app/run/stepping.hpp"
 #include "app/run/stop_request.hpp"
 #include "app/run/verdict.hpp"
 #include "core/build_info.hpp"
@@ -59,6 +60,25 @@ void tell_timers(Reporter& reporter, const Timers<StepPhase>& timers, double wal
   }
 }
 
+/// What the processes have sent each other; nothing where there is one. Collective.
+void tell_traffic(Reporter& reporter, const parallel::World& world, const parallel::Traffic& before,
+                  long steps) {
+  if (world.size() == 1 || steps == 0) return;
+  const parallel::Traffic own = parallel::traffic() - before;
+  const auto exchanges = static_cast<double>(own.exchanges), reductions = static_cast<double>(own.reductions);
+  std::array<std::int64_t, 2> all{own.messages, own.bytes};
+  std::array<double, 2> most{static_cast<double>(own.messages), static_cast<double>(own.bytes)};
+  world.sum(all);
+  world.max(most);
+  const auto n = static_cast<double>(steps), per_rank = n * world.size();
+  reporter.say(fmt::format("sent in a step by each of {} processes (mean, most)", world.size()));
+  reporter.say(fmt::format("  exchanges        {:.1f}, reductions {:.1f}", exchanges / n, reductions / n));
+  reporter.say(
+      fmt::format("  messages         {:.1f}, {:.1f}", static_cast<double>(all[0]) / per_rank, most[0] / n));
+  reporter.say(fmt::format("  kB               {:.1f}, {:.1f}", 1e-3 * static_cast<double>(all[1]) / per_rank,
+                           1e-3 * most[1] / n));
+}
+
 template <int Dim>
 Refinement<Dim> refinement(const config::Case& c) {
   Refinement<Dim> rules{c.mesh.bend, c.mesh.every, {}};
@@ -92,7 +112,7 @@ Simulation<Dim>::Simulation(const LoadedCase& loaded, const SimulationOptions& o
       scheme_(scheme_of<Dim>(case_.method.scheme)),
       refinement_(refinement<Dim>(case_)),
       checkpoint_due_(case_.output.checkpoint.every),
-      cells_(cells_with_matter(case_)),
+      cells_(options.speaks ? cells_with_matter(case_) : 0),  // for those who read
       begun_(std::chrono::steady_clock::now()),
       worked_(std::clock()) {
   reporter_.say(fmt::format("{}: {} process{} of {} thread{}, results in {}", case_.title, world.size(),
@@ -109,6 +129,8 @@ Simulation<Dim>::Simulation(const LoadedCase& loaded, const SimulationOptions& o
                               state_.time * 1e6, state_.step));
   }
   checkpoint_due_.done(state_.time);
+  first_step_ = state_.step;
+  sent_before_ = parallel::traffic();
 }
 
 template <int Dim>
@@ -137,8 +159,7 @@ void Simulation<Dim>::tell_events() {
 
 template <int Dim>
 void Simulation<Dim>::advance() {
-  const Stepping stepping{case_.time.cfl, case_.time.fixed_dt, case_.method.kappa,
-                          case_.method.stages == "one" ? StepStages::one : StepStages::three};
+  const Stepping stepping = stepping_of(case_);
   try {
     if (regrid(state_, engine_, refinement_)) recorder_->after_regrid(state_);
     dt_ = scheme_.advance(state_, stepping, case_.time.end, engine_);
@@ -205,7 +226,10 @@ Summary Simulation<Dim>::finish() {
   done.cpu_s = processor_seconds(world_, worked_);
   const Summary summary = recorder_->finish(state_, done);
   tell_events();
-  if (options_.verbose) tell_timers(reporter_, engine_.timers, done.wall_s);
+  if (options_.verbose) {
+    tell_timers(reporter_, engine_.timers, done.wall_s);
+    tell_traffic(reporter_, world_, sent_before_, state_.step - first_step_);
+  }
   tell_verdict(reporter_, summary);
   reporter_.say(fmt::format("results in {}", options_.folder.string()));
   if (summary.exit == exit_numerical_failure)

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "gauge/due.hpp"
 #include "parallel/team.hpp"
+#include "parallel/traffic.hpp"
 #include "parallel/world.hpp"
 #include "record/recorder.hpp"
 #include "timestep/regrid.hpp"
@@ -73,6 +74,8 @@ class Simulation {
   std::optional<Recorder<Dim>> recorder_;
   Due checkpoint_due_;
   double dt_ = 0, cells_ = 0, saved_at_ = 0;  // s, cells with matter, s of wall time
+  long first_step_ = 0;                       // of this process's life, and what it had sent by then
+  parallel::Traffic sent_before_;
   std::chrono::steady_clock::time_point begun_;
   std::clock_t worked_;
 };

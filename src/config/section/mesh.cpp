@@ -39,6 +39,12 @@ void MeshChoice::check(const TableReading& reading) const {
                               "reads so far into those beside it",
                               block, least_block),
                   "leave 'block' out, or write block = 16");
+  if (reading.good("block") && levels > 1 && block % 2 != 0)
+    reading.wrong("block",
+                  fmt::format("blocks of {} cells: a mesh of several levels needs an even number, since "
+                              "coarser cells lie in one block each",
+                              block),
+                  fmt::format("block = {}", block + 1));
   if (!reading.good("finest")) return;
   for (std::size_t d = 0; d < in.axes.size(); ++d) {
     const double extent = in.hi[d] - in.lo[d];

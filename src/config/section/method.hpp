@@ -23,7 +23,8 @@ struct Method {
             {.name = "stages",
              .member = &Method::stages,
              .doc = "scheme = \"conservative\" only: stages of a step; one: values at faces and walls of the "
-                    "middle of the step; three: SSP-RK3, twice the time",
+                    "middle of the step; three: SSP-RK3, whose steps take up to twice the time and "
+                    "are up to sqrt(axes) times as long",
              .example = R"("three")",
              .choices = {"one", "three"},
              .when = [](const Method& m) { return m.scheme == "conservative"; }},

@@ -60,7 +60,7 @@ void exchange_outer(const State<Dim>& state, const parallel::World& world,
                     std::vector<std::vector<FragmentBlock>>& all, Pack&& put, Unpack&& take) {
   exchange(
       state.mesh, world,
-      [&](int slot, parallel::Bytes& bytes) {
+      [&](int slot, int, parallel::Bytes& bytes) {
         for (auto& body : all) {
           FragmentBlock& b = body[static_cast<std::size_t>(slot)];
           parallel::pack(bytes, static_cast<std::uint8_t>(b.hold.empty() ? 0 : 1));

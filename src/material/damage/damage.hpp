@@ -22,4 +22,15 @@ inline constexpr double failed_damage = 0.999;
 /// Whether matter can fail at all.
 inline bool can_fail(const Damage& damage) { return !std::holds_alternative<NoDamage>(damage); }
 
+/// Whether a model has no rate: its matter fails by the state at the end of a step. A stage of a step is no
+/// state of the matter: extrapolated, it passes the limit too early, and the mean of the stages heals what
+/// has failed in one of them.
+template <class Model>
+constexpr bool is_at_once() {
+  return requires { Model::at_once; };
+}
+inline bool fails_at_once(const Damage& damage) {
+  return std::visit([]<class Model>(const Model&) { return is_at_once<Model>(); }, damage);
+}
+
 }  // namespace recoil

@@ -12,6 +12,7 @@ namespace recoil {
 struct MinimumPressure {
   double tension = unset;  // Pa
 
+  static constexpr bool at_once = true;  // see fails_at_once()
   static constexpr const char* kind = "minimum-pressure";
   static constexpr const char* doc = "fails at once at a tension; what fails depends on the mesh";
 

@@ -3,27 +3,36 @@
 #include <cstddef>
 #include <variant>
 
+#include "core/multiversion.hpp"
+
 namespace recoil {
+
+namespace {
+
+template <class Model>
+RECOIL_MULTIVERSION void fill_energies(const Model& model, const double* rho, const double* p,
+                                       const double* crushed, std::size_t count, double* e) {
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < count; ++i) e[i] = frozen(model, crushed[i]).energy(rho[i], p[i]);
+}
+
+template <class Model>
+RECOIL_MULTIVERSION void fill_sound_speeds(const Model& model, const double* rho, const double* p,
+                                           const double* crushed, std::size_t count, double* c2) {
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < count; ++i) c2[i] = frozen(model, crushed[i]).sound_speed_squared(rho[i], p[i]);
+}
+
+}  // namespace
 
 void AnyEos::energies(const double* rho, const double* p, const double* crushed, std::size_t count,
                       double* e) const {
-  std::visit(
-      [=](const auto& model) {
-#pragma omp simd
-        for (std::size_t i = 0; i < count; ++i) e[i] = frozen(model, crushed[i]).energy(rho[i], p[i]);
-      },
-      eos);
+  std::visit([=](const auto& model) { fill_energies(model, rho, p, crushed, count, e); }, eos);
 }
 
 void AnyEos::sound_speeds_squared(const double* rho, const double* p, const double* crushed,
                                   std::size_t count, double* c2) const {
-  std::visit(
-      [=](const auto& model) {
-#pragma omp simd
-        for (std::size_t i = 0; i < count; ++i)
-          c2[i] = frozen(model, crushed[i]).sound_speed_squared(rho[i], p[i]);
-      },
-      eos);
+  std::visit([=](const auto& model) { fill_sound_speeds(model, rho, p, crushed, count, c2); }, eos);
 }
 
 }  // namespace recoil

@@ -12,8 +12,9 @@ namespace recoil {
 /// Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498, for high rates; with eta = rho/rho0
 ///   Y = min(y0 (1 + beta ep)^n, y_max) (1 + a p/eta^(1/3) - b (T - 300 K)), not below 0,
 ///   0 from the melting temperature on, T_m = T_m0 exp(2 s (1 - 1/eta)) eta^(2 (gamma0 - s - 1/3)).
-/// Only the yield stress follows pressure and temperature. In the source the shear modulus does so with the
-/// same factor; here it stays at its value at rest, so elastic waves in compressed matter are too slow.
+/// In the source the shear modulus follows pressure and temperature with the same factor; here it does so to
+/// the part `modulus_follows`, of which the default 0 keeps it at its value at rest: elastic waves in
+/// compressed matter are then too slow.
 struct SteinbergGuinan {
   double shear_modulus = unset;        // Pa, at rest and 300 K
   double y0 = unset, y_max = unset;    // Pa
@@ -23,7 +24,9 @@ struct SteinbergGuinan {
   double melting_temperature = unset;  // K, at rest density
   double melting_slope = 1.5;          // s
   double gamma0 = unset;               // 1
+  double modulus_follows = 0;          // 1
 
+  static constexpr double least_modulus = 0.01;  // of that at rest: waves need one
   static constexpr const char* kind = "steinberg-guinan";
   static constexpr const char* doc =
       "Steinberg-Cochran-Guinan: yield stress with pressure, temperature and hardening; no rate";
@@ -34,7 +37,7 @@ struct SteinbergGuinan {
     using S = SteinbergGuinan;
     using P = Parameter<S>;
     return std::array{
-        P{"shear-modulus", "Pa", &S::shear_modulus, 1, 1e13, "shear modulus at rest, kept in every state"},
+        P{"shear-modulus", "Pa", &S::shear_modulus, 1, 1e13, "shear modulus at rest and 300 K"},
         P{"y0", "Pa", &S::y0, 0, 1e12, "yield stress at rest and 300 K"},
         P{"y-max", "Pa", &S::y_max, 0, 1e12, "the most that hardening reaches, at rest and 300 K"},
         P{"beta", "1", &S::beta, 0, 1e5, "hardening"},
@@ -44,7 +47,11 @@ struct SteinbergGuinan {
         P{"melting-temperature", "K", &S::melting_temperature, 50, 1e4,
           "melting temperature at rest density"},
         P{"melting-slope", "1", &S::melting_slope, 0, 5, "the source's a of the melting law"},
-        P{"gamma0", "1", &S::gamma0, 0.01, 5, "Grueneisen coefficient of the melting law"}};
+        P{"gamma0", "1", &S::gamma0, 0.01, 5, "Grueneisen coefficient of the melting law"},
+        P{"modulus-follows", "1", &S::modulus_follows, 0, 1,
+          "part in which the shear modulus follows pressure and temperature as the yield stress does; 1: as "
+          "in "
+          "the source, 0: it stays"}};
   }
 
   /// What is wrong with the constants together; null: nothing.
@@ -61,6 +68,12 @@ struct SteinbergGuinan {
     const double hardened = std::min(y0 * std::pow(1 + beta * s.ep, n), y_max);
     const double state = 1 + a * s.pressure / std::cbrt(s.compression) - b * (s.temperature - 300);
     return hardened * std::max(state, 0.0);
+  }
+
+  /// Shear modulus [Pa] of a state.
+  double modulus(const YieldState& s) const {
+    const double growth = a * s.pressure / std::cbrt(s.compression) - b * (s.temperature - 300);
+    return shear_modulus * std::max(1 + modulus_follows * growth, least_modulus);
   }
 };
 

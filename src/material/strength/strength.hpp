@@ -28,6 +28,30 @@ inline double shear_modulus(const Strength& strength) {
   return std::visit([](const auto& model) { return model.shear_modulus; }, strength);
 }
 
+/// Whether the shear modulus of a model follows the state.
+inline bool modulus_follows(const Strength& strength) {
+  return std::visit(
+      [](const auto& model) {
+        if constexpr (requires { model.modulus_follows; })
+          return model.modulus_follows > 0;
+        else
+          return false;
+      },
+      strength);
+}
+
+/// Shear modulus [Pa] of a state, with its temperature, pressure and compression.
+template <class Model>
+double modulus_at(const Model& model, const YieldState& state) {
+  if constexpr (requires { model.modulus(state); })
+    return model.modulus(state);
+  else
+    return model.shear_modulus;
+}
+inline double shear_modulus(const Strength& strength, const YieldState& state) {
+  return std::visit([&](const auto& model) { return modulus_at(model, state); }, strength);
+}
+
 /// Whether shear stress exists at all; where it does not, no shear terms are evaluated.
 inline bool has_strength(const Strength& strength) { return shear_modulus(strength) > 0; }
 

@@ -253,5 +253,14 @@ TEST(MistakesTogether, OfTheCommandLine) {
   EXPECT_NE(text.find("leads through a key that is not a table"), std::string::npos) << text;
 }
 
+TEST(MistakesTogether, OfTheCommandLineWhereACaseHasNoneOfAKind) {
+  Diagnostics out;
+  Document doc = parse_document("format = 1\n", "case.toml", out);
+  apply_overrides(doc, {"gauge.rear.every=1us"}, out);
+  EXPECT_NE(out.text().find("the case has no gauge 'rear'"), std::string::npos) << out.text();
+  EXPECT_NE(out.text().find("it has none: write [gauge.rear] in the case file"), std::string::npos)
+      << out.text();
+}
+
 }  // namespace
 }  // namespace recoil::config

@@ -96,5 +96,29 @@ TYPED_TEST(FailedMatterState, DamageGrowsAndFailedMatterYields) {
   EXPECT_EQ(cell.grow(1e-9, 0), 1);  // clamped, and counted
 }
 
+/// A model without a rate: a stage of a step leaves the damage, the end of the step sets it to 1.
+TYPED_TEST(FailedMatterState, WithoutARateMatterFailsAtTheEndOfAStep) {
+  constexpr int dim = TestFixture::dim;
+  using C = typename TestFixture::C;
+  for (const double tension : {1e9, 1e12}) {
+    Body<dim> body;
+    body.material = samples::copper();
+    body.material.damage = MinimumPressure{tension};
+    body.material.failed = {20e6, 0.1};
+    body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
+    ASSERT_TRUE(fails_at_once(body.material.damage));
+    auto q = this->pulled(1e-9, 0.25);
+    FailingCell<dim> cell(body, q.data(), 1, 1e-9);
+    EXPECT_EQ(cell.grow(1e-9, 0), 0);
+    EXPECT_DOUBLE_EQ(q[C::damage] / q[C::rho], 0.25);
+    EXPECT_EQ(cell.fail_at_once(), tension < 1e10);
+    EXPECT_DOUBLE_EQ(q[C::damage] / q[C::rho], tension < 1e10 ? 1 : 0.25);
+    EXPECT_FALSE(cell.fail_at_once());  // only once
+    if (tension > 1e10) continue;
+    const double left = std::sqrt(equivalent_stress_squared<dim>(q.data() + C::s, 1)) / q[C::rho];
+    EXPECT_NEAR(left, 20e6, 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace recoil

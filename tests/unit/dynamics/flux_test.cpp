@@ -271,7 +271,7 @@ TYPED_TEST(FaceFluxes, NeitherPlasticStrainNorHeatFallsBelowZero) {
 TEST(FaceFluxes, OnlyCellsWithANegativeFaceValueChange) {
   std::vector<double> q{0.1, 0.2, 0.0, 1e-3, -1e-9}, low{0.3, -0.1, -1e-5, 2e-3, 1e-3},
       high{0.2, 0.3, 1e-5, -1e-3, 0};
-  detail::keep_positive(q.data(), 5, low.data(), high.data());
+  detail::keep_positive(q.data(), 5, {low.data(), high.data()});
   EXPECT_EQ(low, (std::vector<double>{0.3, 0, 0, low[3], 1e-3}));
   EXPECT_EQ(high, (std::vector<double>{0.2, high[1], 0, 0, 0}));
   EXPECT_NEAR(high[1], 0.2 + 0.1 * 2 / 3, 1e-15) << "drawn by the same part as the other face";

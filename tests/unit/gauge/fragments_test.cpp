@@ -204,7 +204,7 @@ TYPED_TEST(FragmentsOf, LevelsMeet) {
   EXPECT_GT(found.list[0].first, found.list[1].first) << "the heavier one is behind";
 }
 
-/// Run by mpirun with two and three processes; the blocks of two sizes are shared out differently.
+/// Run by mpirun with several processes; the blocks of two sizes are shared out differently.
 template <class D>
 struct MpiFragments : testing::Test {
   static constexpr int dim = D::value;

@@ -24,6 +24,9 @@ TEST(TimeSeries, MeansAreExactForStraightLines) {
   EXPECT_DOUBLE_EQ(mean_over(ramp, 0.5, 2), (0.5 * 1.5 + 1 * 2) / 1.5);
   EXPECT_DOUBLE_EQ(rms_over(ramp, 0, 1), 2 / std::sqrt(12.0));
   EXPECT_DOUBLE_EQ(rms_over(ramp, 1, 3), 0);
+  EXPECT_DOUBLE_EQ(slope_over(ramp, 0.25, 0.75), 2);
+  EXPECT_NEAR(slope_over(ramp, 1, 3), 0, 1e-15);
+  EXPECT_TRUE(std::isnan(slope_over(ramp, 1, 9)));
   EXPECT_TRUE(std::isnan(mean_over(ramp, 2, 4)));
   EXPECT_DOUBLE_EQ(distance_over(ramp, {{0, 3}, {2, 2}}, 0, 3), 1.0 / 3);
 }

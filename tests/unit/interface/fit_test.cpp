@@ -66,7 +66,7 @@ TYPED_TEST(Fits, WeightsOfTheMeanSumToOneAndOfTheSlopeToNothing) {
       double mean = 0;
       Vec<dim> slope;
       for (int k = 0; k < w.donors; ++k) {
-        const auto& donor = b.donors[w.first_donor + k];
+        const auto& donor = b.donors.parts[w.first_donor + k];
         mean += donor.weight;
         slope += donor.slope_weight;
       }

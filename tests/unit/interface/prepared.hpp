@@ -5,6 +5,7 @@
 
 #include "../cutcell/bodies.hpp"
 #include "dynamics/primitives.hpp"
+#include "interface/donors.hpp"
 #include "interface/fit.hpp"
 
 namespace recoil {
@@ -44,7 +45,8 @@ struct Prepared {
       }
   }
   void evaluate() {
-    for_each_body([&](Body<Dim>& body, int s, Scratch&) { evaluate_fits(state, body, s, counters); });
+    for_each_body(
+        [&](Body<Dim>& body, int s, Scratch& scratch) { evaluate_fits(state, body, s, counters, scratch); });
   }
   /// Calls f(wall, cut cell, index) for the walls of a body.
   template <class F>

@@ -98,6 +98,31 @@ TEST(Library, CaseChangesTheKindAndKeepsWhatBothHave) {
   EXPECT_NEAR(std::get<Elastic>(stiff.material->strength).shear_modulus, 43.33e9, 1);
 }
 
+/// The length over which damage averages belongs to every damage model, and is none of a model's constants.
+TEST(Library, TheLengthOfDamageStaysWithAnotherModel) {
+  const std::string weak =
+      "[material.weak]\nbase = \"copper/seed\"\n"
+      "damage = { kind = \"minimum-pressure\", tension = \"1 GPa\", length = \"0.06 mm\" }\n";
+  const Found first = find("weak", weak);
+  ASSERT_TRUE(first.material) << first.out.text();
+  EXPECT_DOUBLE_EQ(first.material->damage_average.length, 6e-5);
+  EXPECT_TRUE(averages_damage(*first.material));
+  const Found again = find("again", to_toml(*first.material, "material.again"));
+  ASSERT_TRUE(again.material) << again.out.text();
+  EXPECT_DOUBLE_EQ(again.material->damage_average.length, 6e-5);
+  const Found other =
+      find("slow", weak +
+                       "[material.slow]\nbase = \"weak\"\n"
+                       "damage = { kind = \"tensile\", threshold = \"1 GPa\", time = \"1 us\" }\n");
+  ASSERT_TRUE(other.material) << other.out.text();
+  EXPECT_TRUE(std::holds_alternative<TensileDamage>(other.material->damage));
+  EXPECT_DOUBLE_EQ(other.material->damage_average.length, 6e-5);
+  EXPECT_FALSE(averages_damage(*find("copper/seed").material));
+  EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"weak\"\ndamage.length = \"3 Pa\"\n" + weak), "length"));
+  EXPECT_TRUE(
+      says(find("x", "[material.x]\nbase = \"weak\"\ndamage.lengthy = \"3 mm\"\n" + weak), "lengthy"));
+}
+
 TEST(Library, CaseDefinesAMaterialOfItsOwnAndABaseOfABase) {
   const std::string text = R"toml(
 [material.goo]

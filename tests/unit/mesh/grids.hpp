@@ -3,7 +3,9 @@
 #include <initializer_list>
 
 #include "../parallel/session.hpp"
+#include "core/index.hpp"
 #include "mesh/mesh.hpp"
+#include "parallel/world.hpp"
 
 namespace recoil {
 
@@ -20,6 +22,15 @@ Grid<Dim> make_test_grid(int cells, int block, Edge edge, bool even = false) {
     g.edge[d] = {edge, edge};
   }
   return g;
+}
+
+/// Cells along an axis, at least `cells`, so that every process of mpirun gets two blocks or more.
+template <int Dim>
+int enough_cells(int cells, int block) {
+  start_parallel();
+  int along = (cells + block - 1) / block;
+  while (power<Dim>(along) < 2 * parallel::World{}.size()) ++along;
+  return along * block;
 }
 
 /// r from 0 (the axis) to `columns` cells, z over `rows` cells.

@@ -5,9 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
+#include "parallel/pieces.hpp"
+#include "parallel/traffic.hpp"
 #include "session.hpp"
 
 namespace recoil::parallel {
@@ -40,6 +43,33 @@ TEST(Bytes, AShortMessageIsAnError) {
   pack(bytes, 1.0F);
   Unpacker reader(bytes);
   EXPECT_THROW(reader.read<double>(), InternalError);
+}
+
+/// Makes messages go in pieces of so many bytes while it lives.
+struct ShortPieces {
+  explicit ShortPieces(std::uint64_t bytes) { longest_piece() = bytes; }
+  ~ShortPieces() { longest_piece() = usual; }
+  ShortPieces(const ShortPieces&) = delete;
+  ShortPieces& operator=(const ShortPieces&) = delete;
+  std::uint64_t usual = longest_piece();
+};
+
+TEST(Pieces, HoldEveryByteOnceAndAreShortEnoughForMpi) {
+  const auto pieces_of = [](std::uint64_t n) {
+    std::vector<std::pair<std::uint64_t, int>> all;
+    for_each_piece(n, [&](std::uint64_t first, int count) { all.emplace_back(first, count); });
+    return all;
+  };
+  using Pieces = std::vector<std::pair<std::uint64_t, int>>;
+  EXPECT_TRUE(pieces_of(0).empty());
+  EXPECT_EQ(pieces_of(7), (Pieces{{0, 7}}));
+  const std::uint64_t gib = std::uint64_t{1} << 30U;
+  EXPECT_EQ(pieces_of(gib), (Pieces{{0, 1 << 30}}));
+  // more than an int counts
+  EXPECT_EQ(pieces_of(3 * gib + 5), (Pieces{{0, 1 << 30}, {gib, 1 << 30}, {2 * gib, 1 << 30}, {3 * gib, 5}}));
+  const ShortPieces pieces(4);
+  EXPECT_EQ(pieces_of(8), (Pieces{{0, 4}, {4, 4}}));
+  EXPECT_EQ(pieces_of(9), (Pieces{{0, 4}, {4, 4}, {8, 1}}));
 }
 
 TEST(World, OneProcess) {
@@ -97,7 +127,8 @@ TEST_F(MpiWorld, GatherAndBroadcast) {
   EXPECT_EQ(bytes, bytes_of(9, 5));
 }
 
-TEST_F(MpiWorld, EveryMessageArrivesWhereItShould) {
+/// Messages of all lengths from every process to every other one.
+void check_messages(const World& world) {
   const int n = world.size(), r = world.rank();
   std::vector<Message> out;
   std::vector<int> from;
@@ -114,6 +145,33 @@ TEST_F(MpiWorld, EveryMessageArrivesWhereItShould) {
       EXPECT_EQ(in[k].bytes, bytes_of(10 * from[k] + r, 1 + static_cast<std::size_t>(1000 * r)));
     }
   }
+}
+
+TEST_F(MpiWorld, EveryMessageArrivesWhereItShould) { check_messages(world); }
+
+TEST_F(MpiWorld, LongMessagesGoInPieces) {
+  const ShortPieces pieces(300);
+  check_messages(world);
+  const int n = world.size(), r = world.rank();
+  const auto all = world.gather(bytes_of(r, static_cast<std::size_t>(150 * r)));
+  for (std::size_t q = 0; q < all.size(); ++q) EXPECT_EQ(all[q], bytes_of(static_cast<int>(q), 150 * q));
+  Bytes bytes = r == n - 1 ? Bytes{} : bytes_of(9, 500);
+  world.broadcast(bytes);
+  EXPECT_EQ(bytes, bytes_of(9, 500));
+}
+
+TEST_F(MpiWorld, CountsWhatIsSent) {
+  const Traffic before = traffic();
+  const int n = world.size(), r = world.rank();
+  std::vector<Message> out;
+  if (r == 0) out.push_back({1, bytes_of(0, 25)});
+  world.exchange(out, r == 1 ? std::vector<int>{0} : std::vector<int>{});
+  world.max(1.0 * n);
+  const Traffic sent = traffic() - before;
+  EXPECT_EQ(sent.exchanges, r < 2 ? 1 : 0);
+  EXPECT_EQ(sent.messages, r == 0 ? 1 : 0);
+  EXPECT_EQ(sent.bytes, r == 0 ? 100 : 0);
+  EXPECT_EQ(sent.reductions, 1);
 }
 
 }  // namespace

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "../core/dimensions.hpp"
@@ -13,7 +16,92 @@
 namespace recoil {
 namespace {
 
-/// Run by mpirun with two and three processes.
+constexpr int least_cells = 40, block = 10, cut_every = 3;
+constexpr FieldSet sent_fields = Field::phi | Field::phi_midstep | Field::contents | Field::volume |
+                                 Field::geometry | Field::walls | Field::contact | Field::stencil;
+
+/// A number for each cell of each block.
+double number(long order, std::size_t k) {
+  return static_cast<double>(1000 * order) + static_cast<double>(k);
+}
+
+/// A deformable and a rigid body in the even blocks, with numbers that tell block and cell; every fifth cell
+/// has none.
+template <int dim>
+void fill(BodyBlock<dim>& b, long order, bool rigid) {
+  for_each_field<dim>([&](const auto& d) {
+    if (!d.allocated() || (rigid && !d.of_rigid)) return;
+    for_each_array(b.*d.member, [&](auto& array) {
+      if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(array)>::value_type, double>)
+        for (std::size_t k = 0; k < array.size(); ++k)
+          if (k % 5 != 0) array.raw()[k] = number(order, k) + 0.5 * static_cast<int>(d.id);
+    });
+  });
+  b.near_surface = order % 4 == 0;
+  for (std::size_t k = 0; k < b.phi.size(); k += cut_every) {
+    b.geometry.index[k] = static_cast<int>(b.geometry.cuts.size());
+    b.geometry.kind[k] = CellKind::cut;
+    b.geometry.cuts.emplace_back().cell = static_cast<int>(k);
+    b.geometry.cuts.back().volume = number(order, k);
+    if (rigid) continue;
+    b.contact[k] = static_cast<std::uint32_t>(order + 1);
+    b.walls.emplace_back().traction = -number(order, k);
+  }
+}
+
+template <int dim>
+State<dim> make(Edge edge) {
+  const Grid<dim> grid = make_test_grid<dim>(enough_cells<dim>(least_cells, block), block, edge, true);
+  State<dim> state{make_test_mesh(grid), {}, {}, {}};
+  for (const bool rigid : {false, true}) {
+    Body<dim>& body = state.bodies.emplace_back();
+    if (rigid) body.rigid.emplace();
+    body.blocks.resize(static_cast<std::size_t>(state.mesh.slots()));
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      const long order = state.mesh.block(s).order;
+      if (order % 2 != 0) continue;
+      enter_block(body, s, grid);
+      fill<dim>(body.at(s), order, rigid);
+    }
+  }
+  return state;
+}
+
+/// Cells between a cell and the nearest own block, along the axis where they are most.
+template <int dim>
+int distance_to_own(const Mesh<dim>& mesh, const Index<dim>& i) {
+  const bool periodic = mesh.grid().periodic(0);
+  const int cells = mesh.grid().cells[0];
+  int nearest = std::numeric_limits<int>::max();
+  for (int s = 0; s < mesh.local(); ++s) {
+    int far = 0;
+    for (int d = 0; d < dim; ++d) {
+      int along = std::numeric_limits<int>::max();
+      for (const int shift : {-cells, 0, cells}) {
+        if (shift != 0 && !periodic) continue;
+        const int at = i[d] + shift;
+        along = std::min(along,
+                         std::max({mesh.block(s).cells.lo[d] - at, at - mesh.block(s).cells.hi[d] + 1, 0}));
+      }
+      far = std::max(far, along);
+    }
+    nearest = std::min(nearest, far);
+  }
+  return nearest;
+}
+
+/// Whether a value is that of a cell that was not sent.
+template <class T>
+bool untouched(T value, T usual) {
+#ifdef NDEBUG
+  return value == usual;
+#else
+  if constexpr (std::is_same_v<T, double>) return std::isnan(value);
+  return value == usual;
+#endif
+}
+
+/// Run by mpirun with several processes.
 template <class D>
 struct MpiExchange : testing::Test {
   static constexpr int dim = D::value;
@@ -22,85 +110,99 @@ struct MpiExchange : testing::Test {
     start_parallel();
   }
 
-  /// A deformable and a rigid body in the even blocks, with numbers that tell the block.
-  static State<dim> make() {
-    const Grid<dim> grid = make_test_grid<dim>(40, 10, Edge::outflow, true);
-    State<dim> state{make_test_mesh(grid), {}, {}, {}};
-    for (const bool rigid : {false, true}) {
-      Body<dim>& body = state.bodies.emplace_back();
-      if (rigid) body.rigid.emplace();
-      body.blocks.resize(static_cast<std::size_t>(state.mesh.slots()));
-      for (int s = 0; s < state.mesh.local(); ++s) {
-        const long order = state.mesh.block(s).order;
-        if (order % 2 != 0) continue;
-        enter_block(body, s, grid);
-        fill(body.at(s), order, rigid);
+  static void check_lists(const State<dim>& state, int s, bool rigid) {
+    const BodyBlock<dim>& b = state.bodies[rigid ? 1 : 0].at(s);
+    const long order = state.mesh.block(s).order;
+    const Box<dim> layout = state.grid().layout();
+    const Index<dim> lo = state.mesh.block(s).cells.lo;
+    std::size_t cut = 0;
+    for (int k = 0; k < layout.size(); ++k) {
+      const auto place = static_cast<std::size_t>(k);
+      const bool near = distance_to_own(state.mesh, lo + layout.index(k)) <= reach_of(Field::geometry);
+      const bool is_cut = near && k % cut_every == 0;
+      ASSERT_EQ(b.geometry.index[place], is_cut ? static_cast<int>(cut) : -1);
+      EXPECT_EQ(b.geometry.kind[place], is_cut ? CellKind::cut : CellKind::empty);
+      if (!is_cut) continue;
+      ASSERT_LT(cut, b.geometry.cuts.size());
+      EXPECT_EQ(b.geometry.cuts[cut].cell, k);
+      EXPECT_EQ(b.geometry.cuts[cut].volume, number(order, place));
+      if (!rigid) {
+        ASSERT_LT(cut, b.walls.size());
+        EXPECT_EQ(b.walls[cut].traction, -number(order, place));
       }
+      ++cut;
     }
-    return state;
+    EXPECT_EQ(b.geometry.cuts.size(), cut) << "no others";
+    EXPECT_EQ(b.walls.size(), rigid ? 0 : cut);
   }
-  static void fill(BodyBlock<dim>& b, long order, bool rigid) {
-    const auto number = static_cast<double>(order);
-    std::fill(b.phi.begin(), b.phi.end(), 0.5 + number);
-    std::fill(b.phi_midstep.begin(), b.phi_midstep.end(), 0.25 + number);
-    b.geometry.cuts.resize(static_cast<std::size_t>(order % 5));  // blocks send different amounts
-    for (CutCell<dim>& cut : b.geometry.cuts) cut.volume = 3 + number;
-    b.near_surface = order % 4 == 0;
-    if (rigid) return;
-    b.walls.resize(b.geometry.cuts.size());
-    for (Wall<dim>& w : b.walls) w.traction = -1 - number;
-    std::fill(b.contents.begin(), b.contents.end(), 2 + number);
-    std::fill(b.contact.begin(), b.contact.end(), static_cast<std::uint32_t>(order));
+
+  static void check_cells(const State<dim>& state, int s, bool rigid, int reach) {
+    const BodyBlock<dim>& b = state.bodies[rigid ? 1 : 0].at(s);
+    const long order = state.mesh.block(s).order;
+    const Box<dim> layout = state.grid().layout();
+    const Index<dim> lo = state.mesh.block(s).cells.lo;
+    Body<dim> of_owner;
+    if (rigid) of_owner.rigid.emplace();
+    of_owner.blocks.resize(2);
+    enter_block(of_owner, 0, state.grid());
+    enter_block(of_owner, 1, state.grid());
+    fill<dim>(of_owner.at(0), order, rigid);
+    for_each_field<dim>([&](const auto& d) {
+      if (!sent_fields.has(d.id) || (rigid && !d.of_rigid)) return;
+      if constexpr (requires { (b.*d.member).raw()[0] == (b.*d.member).raw()[0]; }) {
+        if (d.extent != Extent::cells) return;
+        const auto& got = (b.*d.member).raw();
+        const auto& sent = (of_owner.at(0).*d.member).raw();
+        if (sent.empty() || got.empty()) return;  // shares the memory of another field
+        for (std::size_t k = 0; k < got.size(); ++k) {
+          const Index<dim> i = lo + layout.index(static_cast<int>(k) % layout.size());
+          if (distance_to_own(state.mesh, i) <= std::min(reach, reach_of(d.id)))
+            ASSERT_EQ(got[k], sent[k]) << d.name << ' ' << k;
+          else
+            ASSERT_TRUE(untouched(got[k], (of_owner.at(1).*d.member).raw()[k])) << d.name << ' ' << k;
+        }
+      }
+    });
+  }
+
+  static void check(Edge edge, int reach) {
+    State<dim> state = make<dim>(edge);
+    const parallel::World world;
+    exchange_fields(state, world, sent_fields, reach);
+    EXPECT_GT(state.mesh.slots(), state.mesh.local()) << "there are copies";
+    std::vector<std::int64_t> held{0};
+    for (int s = state.mesh.local(); s < state.mesh.slots(); ++s)
+      for (const bool rigid : {false, true}) {
+        const long order = state.mesh.block(s).order;
+        const BodyBlock<dim>& b = state.bodies[rigid ? 1 : 0].at(s);
+        ASSERT_EQ(b.present, order % 2 == 0) << order;
+        if (!b.present) continue;
+        ++held[0];
+        EXPECT_EQ(b.near_surface, order % 4 == 0);
+        EXPECT_EQ(b.contents.empty(), rigid);
+        check_lists(state, s, rigid);
+        check_cells(state, s, rigid, reach);
+      }
+    world.sum(held);
+    EXPECT_GT(held[0], 0);
   }
 };
 TYPED_TEST_SUITE(MpiExchange, Dimensions);
 
-TYPED_TEST(MpiExchange, CopiesHoldWhatTheirOwnersHave) {
-  constexpr int dim = TestFixture::dim;
-  State<dim> state = TestFixture::make();
-  const parallel::World world;
-  exchange_fields(state, world,
-                  Field::phi | Field::phi_midstep | Field::contents | Field::volume | Field::geometry |
-                      Field::walls | Field::contact);
-  ASSERT_GT(state.mesh.slots(), state.mesh.local()) << "there are copies";
-  int held = 0;
-  for (int s = state.mesh.local(); s < state.mesh.slots(); ++s)
-    for (const bool rigid : {false, true}) {
-      const long order = state.mesh.block(s).order;
-      const auto number = static_cast<double>(order);
-      const BodyBlock<dim>& b = state.bodies[rigid ? 1 : 0].at(s);
-      ASSERT_EQ(b.present, order % 2 == 0) << order;
-      if (!b.present) continue;
-      ++held;
-      EXPECT_EQ(b.near_surface, order % 4 == 0);
-      EXPECT_EQ(b.phi.raw(), std::vector<double>(b.phi.size(), 0.5 + number));
-      EXPECT_EQ(b.phi_midstep.raw(), std::vector<double>(b.phi.size(), 0.25 + number));
-      ASSERT_EQ(b.geometry.cuts.size(), static_cast<std::size_t>(order % 5));
-      for (const CutCell<dim>& cut : b.geometry.cuts) EXPECT_EQ(cut.volume, 3 + number);
-      if (rigid) {
-        EXPECT_TRUE(b.contents.empty());
-        continue;
-      }
-      ASSERT_EQ(b.walls.size(), b.geometry.cuts.size());
-      for (const Wall<dim>& w : b.walls) EXPECT_EQ(w.traction, -1 - number);
-      EXPECT_EQ(b.contents.raw(), std::vector<double>(b.contents.size(), 2 + number));
-      for (const std::uint32_t bits : b.contact) EXPECT_EQ(bits, static_cast<std::uint32_t>(order));
-    }
-  std::vector<std::int64_t> all{held};
-  world.sum(all);
-  EXPECT_GT(all[0], 0);
-}
+/// Exactly the cells that are near enough to own blocks arrive, and of the lists of cut cells theirs.
+TYPED_TEST(MpiExchange, CopiesHoldTheRimsThatAreRead) { TestFixture::check(Edge::outflow, widest_halo); }
+TYPED_TEST(MpiExchange, NarrowRims) { TestFixture::check(Edge::outflow, 2); }
+TYPED_TEST(MpiExchange, RimsAcrossPeriodicEdges) { TestFixture::check(Edge::periodic, 4); }
 
 /// Only what is asked for goes over; a body that has left its block leaves the copies as well.
 TYPED_TEST(MpiExchange, FieldsAndPresence) {
   constexpr int dim = TestFixture::dim;
-  State<dim> state = TestFixture::make();
+  State<dim> state = make<dim>(Edge::outflow);
   const parallel::World world;
   exchange_fields(state, world, Field::phi);
   for (int s = state.mesh.local(); s < state.mesh.slots(); ++s) {
     const BodyBlock<dim>& b = state.bodies[0].at(s);
     if (!b.present) continue;
-    EXPECT_EQ(b.phi[0], 0.5 + static_cast<double>(state.mesh.block(s).order));
     EXPECT_EQ(b.contents.raw(), std::vector<double>(b.contents.size(), 0.0)) << "not asked for";
     EXPECT_TRUE(b.geometry.cuts.empty());
   }
@@ -110,6 +212,19 @@ TYPED_TEST(MpiExchange, FieldsAndPresence) {
     EXPECT_FALSE(state.bodies[0].present(s));
     EXPECT_EQ(state.bodies[1].present(s), state.mesh.block(s).order % 2 == 0);
   }
+}
+
+/// The same numbers go over again where they have changed back to nothing.
+TYPED_TEST(MpiExchange, CellsThatHaveBecomeEmptyAreEmptyInCopies) {
+  constexpr int dim = TestFixture::dim;
+  State<dim> state = make<dim>(Edge::outflow);
+  const parallel::World world;
+  exchange_fields(state, world, Field::volume);
+  for (int s = 0; s < state.mesh.local(); ++s)
+    for (double& v : state.bodies[0].at(s).volume.raw()) v = 0;
+  exchange_fields(state, world, Field::volume);
+  for (int s = state.mesh.local(); s < state.mesh.slots(); ++s)
+    for (const double v : state.bodies[0].at(s).volume.raw()) EXPECT_TRUE(v == 0 || std::isnan(v));
 }
 
 }  // namespace

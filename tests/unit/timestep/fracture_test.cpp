@@ -7,6 +7,7 @@
 #include "../core/dimensions.hpp"
 #include "dynamics/primitives.hpp"
 #include "run.hpp"
+#include "spall_plates.hpp"
 
 namespace recoil {
 namespace {
@@ -20,36 +21,6 @@ Material breaking(double threshold) {
   Material m = samples::aluminium();
   m.damage = TensileDamage{threshold, 1, 20e-9};
   return m;
-}
-
-/// Aluminium of 1 mm at 400 m/s on 2 mm along one axis, between planes of symmetry: the target spalls.
-template <int Dim>
-config::Case plates(int axis, double dx, int block = 32) {
-  const auto e = static_cast<std::size_t>(axis);
-  config::Vector lo{}, hi{}, u{};
-  for (std::size_t d = 0; d < Dim; ++d) hi[d] = 3 * dx;
-  lo[e] = -2 * mm, hi[e] = 3.6 * mm, u[e] = 400;
-  const Geometry geometry = Dim == 1 ? Geometry::line : Dim == 2 ? Geometry::planar : Geometry::space;
-  auto domain = domain_of(geometry, lo, hi, Boundary::symmetry);
-  domain.boundary[e] = {Boundary::outflow, Boundary::outflow};
-  auto low = lo, high = hi;
-  low[e] = -1 * mm, high[e] = 0;
-  auto c = case_of(domain, dx, {body_of("flyer", box_shape(low, high), u)});
-  low[e] = 0, high[e] = 2 * mm;
-  c.bodies.push_back(body_of("target", box_shape(low, high)));
-  c.mesh.offset = 0.37;
-  c.mesh.block = block;
-  return c;
-}
-
-template <int Dim>
-double failed_mass(const TestRun<Dim>& run, int m) {
-  using C = Components<Dim>;
-  double sum = 0;
-  for (const auto& b : run.state.bodies[m].blocks)
-    for (std::size_t k = 0; k < b.volume.size(); ++k)
-      if (b.contents[C::damage * b.volume.size() + k] >= failed_damage * b.contents[k]) sum += b.contents[k];
-  return sum;
 }
 
 /// Mean velocity of what is behind the middle of the target: of the scab, where it has broken off.
@@ -101,6 +72,40 @@ TYPED_TEST(Fracture, WhatDoesNotFailIsAsItWas) {
   cannot.steps(60);
   EXPECT_EQ(may.state.time, cannot.state.time);
   EXPECT_EQ(may.cells(1), cannot.cells(1));
+}
+
+/// A body that fills a closed domain at a tension of twice the threshold fails by Tuler and Butcher's law at
+/// the time tau, whatever part of it a step is: in the step in which its damage reaches 1, not some steps
+/// later, by its own state and by the mean around.
+TYPED_TEST(Fracture, FailsInTheStepInWhichDamageReachesOne) {
+  constexpr int dim = TestFixture::dim;
+  constexpr double dx = 0.1 * mm, threshold = 1e9, time = 20e-9;
+  config::Vector lo{}, hi{}, out{};
+  for (std::size_t d = 0; d < dim; ++d) hi[d] = 8 * dx, lo[d] = 0, out[d] = 12 * dx;
+  const Geometry geometry = dim == 1 ? Geometry::line : dim == 2 ? Geometry::planar : Geometry::space;
+  config::Vector before{};
+  for (std::size_t d = 0; d < dim; ++d) before[d] = -4 * dx;
+  auto c =
+      case_of(domain_of(geometry, lo, hi, Boundary::symmetry), dx, {body_of("b", box_shape(before, out))});
+  c.bodies[0].pressure = -2 * threshold;
+  for (const StepStages stages : {StepStages::three, StepStages::one})
+    for (const double length : {0.0, 2.5 * dx})
+      for (const double steps : {3.5, 8.5}) {
+        Material m = breaking(threshold);
+        m.damage = TensileDamage{threshold, 1, time};
+        m.damage_average.length = length;
+        TestRun<dim> run(c, {m});
+        run.stepping.stages = stages;
+        run.stepping.fixed_dt = time / steps;
+        run.steps(static_cast<int>(steps));
+        EXPECT_EQ(failed_mass(run, 0), 0);
+        using C = Components<dim>;
+        const auto totals = run.totals(0);
+        EXPECT_NEAR(totals[C::damage] / totals[C::rho], std::floor(steps) / steps, 1e-6);
+        run.steps(1);
+        EXPECT_NEAR(failed_mass(run, 0) / run.start[0][0], 1, 1e-12);
+        EXPECT_NEAR(run.totals(0)[C::damage] / run.totals(0)[C::rho], 1, 1e-12);
+      }
 }
 
 TYPED_TEST(Fracture, BlocksAndThreadsDoNotMatter) {

@@ -10,6 +10,7 @@
 
 #include "../core/dimensions.hpp"
 #include "../support/sanitized.hpp"
+#include "dynamics/inadmissible.hpp"
 #include "run.hpp"
 #include "timestep/phases.hpp"
 
@@ -198,62 +199,109 @@ TYPED_TEST(Regrid, ThreadsGiveTheSameBits) {
       EXPECT_EQ(one.state.bodies[m].at(s).contents, three.state.bodies[m].at(s).contents);
 }
 
-/// A short elastic pulse runs from finest cells into others. What comes back from where they meet is measured
-/// in parts of the pulse.
-double reflection(int levels, double cells_in_pulse) {
-  const double length = 40 * mm, width = 2 * mm, dx = width / cells_in_pulse;
-  auto c = case_of(domain_of(Geometry::line, {-2 * mm}, {length + 2 * mm}, Boundary::outflow), dx,
-                   {body_of("rod", box_shape({0}, {length}))});
-  c.mesh.levels = levels;
-  TestRun<1> run(c, {samples::aluminium()});
-  Refinement<1> rules;
+/// Coarsens everything that is not near a surface.
+template <int Dim>
+void coarsen(TestRun<Dim>& run) {
+  Refinement<Dim> rules;
   rules.bend = 1e9;
-  rules.regions.push_back({{{0}}, {{0.5 * length}}});
   while (regrid(run.state, run.engine, rules)) {
   }
-  using C = Components<1>;
-  const double sound = longitudinal_speed(samples::aluminium()), speed = 1;
-  auto& body = run.state.bodies[0];
-  const auto each = [&](auto&& f) {
-    for (int s = 0; s < run.state.mesh.local(); ++s) {
-      if (!body.present(s)) continue;
-      const Box<1> own = run.state.mesh.block(s).cells;
-      for_each(own, [&](const Index<1>& i) {
-        f(body.at(s), static_cast<std::size_t>(i[0] - own.lo[0]), run.state.grid(s).centre(i)[0]);
-      });
-    }
-  };
-  const double g = shear_modulus(samples::aluminium());
-  each([&](BodyBlock<1>& b, std::size_t k, double x) {
-    const double r = (x - 15 * mm) / width;
-    const double u = std::abs(r) < 0.5 ? speed * std::pow(std::cos(M_PI * r), 2) : 0;
-    const double strain = -u / sound, rho0 = density(samples::aluminium());
-    const std::size_t n = b.volume.size();
-    const double rho = rho0 / (1 + strain), s = 4.0 / 3 * g * strain, v = b.volume[k];
-    const double bulk =
-        rho0 * bulk_sound_speed(samples::aluminium()) * bulk_sound_speed(samples::aluminium());
-    const double e = 0.5 * bulk * strain * strain / rho0 + 0.75 * s * s / (2 * g) / rho0;
-    b.contents[k] = v * rho, b.contents[C::u * n + k] = v * rho * u;
-    b.contents[C::energy * n + k] = v * rho * (e + 0.5 * u * u);
-    b.contents[C::s * n + k] = v * rho * s;
-  });
-  StepRun<1> step(run.state, run.engine);
-  update_bands(step);
-  run_to(run, 10 * mm / sound, rules);
-  double back = 0, through = 0;
-  each([&](BodyBlock<1>& b, std::size_t k, double x) {
-    if (!(b.contents[k] > 0)) return;
-    const double u = b.contents[C::u * b.volume.size() + k] / b.contents[k];
-    (x < 18 * mm ? back : through) = std::max(x < 18 * mm ? back : through, std::abs(u));
-  });
-  EXPECT_GT(through, 0.5 * speed);
-  return back / speed;
 }
 
-TEST(Levels, AWavePassesFromFinerToCoarserCells) {
-  // 8e-5 of the pulse run back because the start is not a simple wave to all orders.
-  for (const double cells : {8, 16, 32})
-    EXPECT_NEAR(reflection(2, cells), reflection(1, cells), 2e-5) << cells;
+template <int Dim>
+std::vector<double> contents_of(const State<Dim>& state, int slot) {
+  return state.bodies[1].at(slot).contents.raw();
+}
+
+/// A state that no equation of state knows, in a coarser block right beside finer ones: it is averaged with
+/// cells of its own level alone, nothing is lost, and all threads find the same.
+TYPED_TEST(Regrid, BadStatesBesideOtherLevelsAreAveragedAmongEquals) {
+  constexpr int dim = TestFixture::dim;
+  const auto bad = [](auto& run, bool compressed) {
+    const auto& mesh = run.state.mesh;
+    for (int s = 0; s < mesh.local(); ++s)
+      for (int side = 0; side < 2; ++side) {
+        if (mesh.block(s).level == 0 || !run.state.bodies[1].present(s) ||
+            mesh.finer_across(s, dim - 1, side)[0] < 0)
+          continue;
+        const Box<dim> cells = mesh.block(s).cells;
+        Index<dim> at{};  // beside the finer block
+        if (side == 1) at[dim - 1] = cells.extent(dim - 1) - 1;
+        const auto k = static_cast<std::size_t>(mesh.grid().layout().at(at));
+        run.state.bodies[1].at(s).contents[k] *= compressed ? 3 : 0.2;
+        return s;
+      }
+    return -1;
+  };
+  const std::vector<Material> materials{samples::aluminium(), samples::aluminium()};
+  for (const bool compressed : {true, false}) {
+    TestRun<dim> one(plates<dim>(3, 0.05 * mm), materials), three(plates<dim>(3, 0.05 * mm), materials, 3);
+    for (TestRun<dim>* run : {&one, &three}) {
+      coarsen(*run);
+      const std::vector<std::vector<double>> old = [&] {
+        std::vector<std::vector<double>> all;
+        for (int s = 0; s < run->state.mesh.local(); ++s) all.push_back(contents_of(run->state, s));
+        return all;
+      }();
+      const int slot = bad(*run, compressed);
+      ASSERT_GE(slot, 0);
+      const auto before = run->totals(1);
+      StepRun<dim> step(run->state, run->engine);
+      step.has_changed(FieldSet::all());
+      average_inadmissible_states(step);
+      EXPECT_GE(run->counted().averaged_states, 1);
+      EXPECT_LE(run->counted().averaged_states, 3);  // in wider and wider windows, until it is admissible
+      const auto after = run->totals(1);
+      for (std::size_t c = 0; c < before.size(); ++c)
+        EXPECT_NEAR(after[c], before[c], 1e-13 * std::abs(before[c])) << c;
+      for (int s = 0; s < run->state.mesh.local(); ++s) {
+        if (!run->state.bodies[1].present(s)) continue;
+        Counters counters;
+        EXPECT_EQ(mark_inadmissible(run->state, run->state.bodies[1], s, counters), 0);
+        if (run->state.mesh.block(s).level == 0) {
+          EXPECT_EQ(contents_of(run->state, s), old[static_cast<std::size_t>(s)]);
+        }
+      }
+      EXPECT_NE(contents_of(run->state, slot), old[static_cast<std::size_t>(slot)]);
+    }
+    for (int s = 0; s < one.state.mesh.local(); ++s)
+      EXPECT_EQ(contents_of(one.state, s), contents_of(three.state, s));
+  }
+}
+
+/// Blocks that irregular kernels cannot reach from a surface may be coarser, even beside one that is near it;
+/// those that they can reach are the finest.
+TYPED_TEST(Regrid, FinestCellsReachElevenAroundASurface) {
+  constexpr int dim = TestFixture::dim;
+  if (dim == 3) GTEST_SKIP() << "as in 2-D";
+  constexpr double dx = 0.05 * mm;
+  bool coarser_beside_near = false;
+  for (int shift = 0; shift < 32; shift += 3) {
+    auto c = plates<dim>(3, dx);
+    c.domain.lo[dim - 1] -= shift * dx;
+    TestRun<dim> run(c, {samples::aluminium(), samples::aluminium()});
+    coarsen(run);
+    const auto& mesh = run.state.mesh;
+    for (int s = 0; s < mesh.local(); ++s)
+      for (const auto& body : run.state.bodies) {
+        if (!body.present(s) || !body.at(s).near_surface) continue;
+        ASSERT_EQ(mesh.block(s).level, 0);
+        const Window<dim> w(mesh, s, widest_halo);
+        coarser_beside_near = coarser_beside_near || !mesh.is_among_equals(s);
+        for_each(mesh.block(s).cells, [&](const Index<dim>& i) {
+          const auto k = static_cast<std::size_t>(w.cell(i));
+          if (std::abs(body.at(s).phi[k]) > dx) return;
+          for (int o = -widest_halo; o <= widest_halo; ++o) {
+            Index<dim> j = i;
+            j[dim - 1] += o;
+            const int from = w.source(j).slot;
+            EXPECT_FALSE(from >= 0 && mesh.is_stand_in(from))
+                << "shift " << shift << ", " << o << " cells away";
+          }
+        });
+      }
+  }
+  EXPECT_TRUE(coarser_beside_near);
 }
 
 }  // namespace

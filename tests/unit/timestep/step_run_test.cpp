@@ -82,7 +82,7 @@ TEST(Fields, TakeTheMemoryThatIsEstimated) {
       if (d.allocated()) bytes += static_cast<double>(array.size() * sizeof(T));
     });
   });
-  EXPECT_EQ(bytes, bytes_per_cell<2>() * grid.layout().size());
+  EXPECT_EQ(bytes, bytes_per_cell<2>({}) * grid.layout().size());
 }
 
 }  // namespace

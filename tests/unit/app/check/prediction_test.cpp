@@ -129,5 +129,20 @@ TEST(Prediction, NoPairWhereNothingClosesIn) {
   EXPECT_TRUE(find_plate_pairs(apart.contents).empty());
 }
 
+/// Round bodies in domains much larger than they are: the first touch is not where a coarse grid has a point.
+TEST(Prediction, TouchesOfRoundBodiesAreExact) {
+  const auto touch = [](const std::string& name) {
+    const LoadedCase loaded = load_case(cases + name, {});
+    const auto all = predict_touches(loaded.contents, loaded.materials, find_plate_pairs(loaded.contents));
+    EXPECT_EQ(all.size(), 1U);
+    return all.at(0).approach;
+  };
+  const Approach oblique = touch("oblique_levels"), square = touch("sphere_on_plate");
+  EXPECT_NEAR(oblique.time, 0.1e-3 / 1060.66, 0.005 * 0.0943e-6);
+  EXPECT_NEAR(oblique.closing, 1060.66, 10);
+  EXPECT_NEAR(square.time, 0.1e-3 / 500, 0.005 * 0.2e-6);
+  EXPECT_NEAR(square.closing, 500, 1);
+}
+
 }  // namespace
 }  // namespace recoil::app

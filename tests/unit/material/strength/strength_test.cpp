@@ -88,6 +88,25 @@ TEST(SteinbergGuinan, FollowsItsFormula) {
   EXPECT_GT(s.yield({.temperature = 1800, .compression = 1.1}), 0) << "compressed matter melts later";
 }
 
+/// The shear modulus follows the state as the yield stress does: with all of it their ratio stays.
+TEST(SteinbergGuinan, ItsShearModulusFollowsTheState) {
+  SteinbergGuinan s = samples::of(SteinbergGuinan{})[0];
+  const YieldState pressed{.ep = 0.1, .temperature = 600, .pressure = 10e9, .compression = 1.08},
+      rest{.ep = 0.1, .temperature = 300};
+  EXPECT_FALSE(modulus_follows(s));
+  EXPECT_EQ(s.modulus(pressed), s.shear_modulus);
+  s.modulus_follows = 1;
+  EXPECT_TRUE(modulus_follows(s));
+  EXPECT_NEAR(s.modulus(pressed), 47.7e9 * (1 + 28.3e-12 * 10e9 / std::cbrt(1.08) - .377e-3 * 300), 1e-3);
+  EXPECT_NEAR(s.modulus(pressed) / s.yield(pressed), s.modulus(rest) / s.yield(rest), 1e-9);
+  EXPECT_GT(s.modulus({.temperature = 1e4}), 0) << "waves need one";
+  s.modulus_follows = 0.5;
+  EXPECT_NEAR(s.modulus(pressed) - s.shear_modulus,
+              0.5 * 47.7e9 * (28.3e-12 * 10e9 / std::cbrt(1.08) - .377e-3 * 300), 1e-3);
+  EXPECT_EQ(shear_modulus(Strength{s}, pressed), s.modulus(pressed));
+  EXPECT_EQ(shear_modulus(Strength{Elastic{3e9}}, pressed), 3e9);
+}
+
 TEST(PrestonTonksWallace, HasItsLimits) {
   for (const PrestonTonksWallace& s : samples::of(PrestonTonksWallace{})) {
     const double g = 2 * s.shear_modulus, unit = s.gamma * s.unit_rate();

@@ -1,4 +1,4 @@
-#include "dynamics/reconstruction.hpp"
+#include "kernels/reconstruction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -100,6 +100,56 @@ TEST(Weno5z, IsTheSameInAllUnitsAndUpsideDown) {
     }
     ASSERT_EQ(face(scaled, 1024.0 * 1024.0 * least), -1024 * face(v));
   }
+}
+
+double limited_face(const std::array<double, 5>& v) { return mp5(v[0], v[1], v[2], v[3], v[4], least).high; }
+
+TEST(Mp5, ConstantsAndMirroredDataGiveTheSameToTheLastBit) {
+  Random random(4);
+  for (int n = 0; n < 1000; ++n) {
+    const double same = random(-1e9, 1e9);
+    ASSERT_EQ(limited_face({same, same, same, same, same}), same);
+    std::array<double, 5> v{};
+    for (double& x : v) x = random(-1, 1);
+    const Ends ends = mp5(v[0], v[1], v[2], v[3], v[4], least),
+               mirrored = mp5(v[4], v[3], v[2], v[1], v[0], least);
+    ASSERT_EQ(ends.low, mirrored.high);
+    ASSERT_EQ(ends.high, mirrored.low);
+  }
+}
+
+/// At extrema as elsewhere: that is what it has over limiters of the total variation.
+TEST(Mp5, SmoothFunctionsAreOfFifthOrderAtExtremaToo) {
+  const auto error = [](double h) {
+    double largest = 0;
+    for (double x = 0; x < 6.3; x += 0.01)
+      largest = std::max(
+          largest, std::abs(limited_face(means([](double t) { return -std::cos(t); }, x, h)) - std::sin(x)));
+    return largest;
+  };
+  EXPECT_GT(error(0.2) / error(0.1), 28);
+  EXPECT_GT(error(0.1) / error(0.05), 28);
+}
+
+/// Of data that rise, the value lies between the means beside the face.
+TEST(Mp5, AStepIsNotOvershot) {
+  for (std::size_t jump = 0; jump <= 5; ++jump) {
+    std::array<double, 5> v{};
+    for (std::size_t k = 0; k < 5; ++k) v[k] = k < jump ? 1 : 0;
+    EXPECT_GE(limited_face(v), -1e-12) << jump;
+    EXPECT_LE(limited_face(v), 1 + 1e-12) << jump;
+  }
+}
+
+/// Waves of six cells and more get the linear weights, whatever their phase.
+TEST(Mp5, AShortWaveGetsTheLinearWeights) {
+  for (const int cells : {6, 7, 8, 12})
+    for (int phase = 0; phase < 24; ++phase) {
+      const double h = 2 * std::acos(-1.0) / cells;
+      const auto v = means([](double t) { return -std::cos(t); }, phase * h / 24, h);
+      const double linear = (2 * v[0] - 13 * v[1] + 47 * v[2] + 27 * v[3] - 3 * v[4]) / 60;
+      ASSERT_NEAR(limited_face(v), linear, 1e-12) << cells << " cells, phase " << phase;
+    }
 }
 
 }  // namespace

@@ -1,0 +1,311 @@
+#include "interface/donors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/error.hpp"
+#include "dynamics/primitives.hpp"
+#include "state/level_set_view.hpp"
+
+namespace recoil {
+
+namespace {
+
+// Donors lie within these distances [dx] from the surface point, and their weights fall with the square of
+// the distance at these rates [1/dx^2]. Along a flat surface the reach is wide: the layers of cells that a
+// slanted surface cuts then hold every phase of the cut, and a fit depends less on its own. It ends where the
+// weight has fallen to a seventeenth; with a weight of a third at its end the fits of a surface at 45 degrees
+// grow unstable. Where the radius of curvature is 10 dx or less, reach and rate are those across: a wide fit
+// would leave the layers along the surface. At the rim of a contact it is narrower still: traction and
+// velocity have a kink there, and a fit across it gives pressed walls too little stress and free ones too
+// much. In 3-D, which has two directions along the surface, a wider one would cost too much.
+constexpr double reach_across = 2.35, decay_across = 0.6, decay_wide = 0.3;
+template <int Dim>
+constexpr double decay_along = Dim == 3 ? 0.35 : 0.15;
+constexpr double end_exponent = 2.84, most_curved = 0.1;
+constexpr double decay_at_rim = 1.2, rim_curved = 0.02;
+constexpr double fit_ridge = 0.006;  // of the total weight, on the diagonal of the gradient's matrix
+constexpr int fit_reach = 7;         // the widest box reaches 6 cells, the surface point lies at most 1 away
+
+template <int Dim>
+using Matrix = std::array<Vec<Dim>, Dim>;
+
+/// Inverse of a symmetric positive matrix by its adjugate.
+template <int Dim>
+Matrix<Dim> inverse(const Matrix<Dim>& m) {
+  Matrix<Dim> a;
+  if constexpr (Dim == 1) {
+    a[0][0] = 1 / m[0][0];
+  } else if constexpr (Dim == 2) {
+    const double det = 1 / (m[0][0] * m[1][1] - m[0][1] * m[0][1]);
+    a[0][0] = m[1][1] * det;
+    a[1][1] = m[0][0] * det;
+    a[0][1] = a[1][0] = -m[0][1] * det;
+  } else {
+    const double c00 = m[1][1] * m[2][2] - m[1][2] * m[1][2], c01 = m[0][2] * m[1][2] - m[0][1] * m[2][2],
+                 c02 = m[0][1] * m[1][2] - m[0][2] * m[1][1];
+    const double det = 1 / (m[0][0] * c00 + m[0][1] * c01 + m[0][2] * c02);
+    a[0][0] = c00 * det;
+    a[0][1] = a[1][0] = c01 * det;
+    a[0][2] = a[2][0] = c02 * det;
+    a[1][1] = (m[0][0] * m[2][2] - m[0][2] * m[0][2]) * det;
+    a[1][2] = a[2][1] = (m[0][2] * m[0][1] - m[0][0] * m[1][2]) * det;
+    a[2][2] = (m[0][0] * m[1][1] - m[0][1] * m[0][1]) * det;
+  }
+  return a;
+}
+
+/// Where the donors of one fit lie, and how their weights fall with the distance from the surface point.
+template <int Dim>
+struct Reach {
+  Vec<Dim> normal;  // of the surface
+  double along = 0, decay = 0;
+  Index<Dim> half;  // cells around that of the surface point
+  int widened = 0;  // a box of so many cells, the same in all directions, where the matter is far; else 0
+
+  bool holds(const Vec<Dim>& x, double across2, double along2) const {
+    if (widened == 0) return across2 <= reach_across * reach_across && along2 <= along * along;
+    bool inside = true;
+    for (int d = 0; d < Dim; ++d) inside = inside && std::abs(x[d]) <= widened;
+    return inside;
+  }
+  double weight(double across2, double along2) const {
+    return widened == 0 ? std::exp(-decay_across * across2 - decay * along2)
+                        : std::exp(-decay_wide * (across2 + along2));
+  }
+};
+
+/// @param curvature of the surface, times dx. @param rim Rims::near().
+template <int Dim>
+Reach<Dim> reach_of(const Vec<Dim>& surface, double curvature, double rim, int widened) {
+  const double bent = std::min(std::abs(curvature) / most_curved, 1.0);
+  const double decay = decay_along<Dim> + bent * (decay_across - decay_along<Dim>);
+  Reach<Dim> r{unit(surface), 0, decay + rim * (decay_at_rim - decay), {}, widened};
+  r.along = std::max(reach_across, std::sqrt(end_exponent / r.decay));
+  for (int d = 0; d < Dim; ++d) {
+    const double tangent = std::sqrt(std::max(0.0, 1 - r.normal[d] * r.normal[d]));
+    const double extent = reach_across * std::abs(r.normal[d]) + r.along * tangent;
+    r.half[d] = widened > 0 ? widened : static_cast<int>(std::lround(extent));
+  }
+  return r;
+}
+
+/// Mean curvature of a level set at a cell, times dx.
+template <int Dim>
+double curvature_at(const Window<Dim>& w, const double* phi, int k, double dx) {
+  double sum = 0;
+  for (int d = 0; d < Dim; ++d) sum += phi[k - w.stride(d)] + phi[k + w.stride(d)] - 2 * phi[k];
+  return sum / (dx * std::max(Dim - 1, 1));
+}
+
+/// Where the surface of a body presses on others: the cells that it cuts, by what they touched in the last
+/// step.
+template <int Dim>
+class Rims {
+ public:
+  Rims(const Body<Dim>& body, const Window<Dim>& w, Scratch& scratch) : window_(w) {
+    const auto n = static_cast<std::size_t>(w.size());
+    auto* partners = scratch.take<std::uint32_t>(n);
+    w.gather([&](int s) { return body.present(s) ? body.at(s).contact.data() : nullptr; }, 0U, Beyond::mirror,
+             partners);
+    any_ = std::any_of(partners, partners + n, [](std::uint32_t p) { return p != 0; });
+    if (!any_) return;
+    auto* kind = scratch.take<CellKind>(n);
+    w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.kind.data() : nullptr; },
+             CellKind::empty, Beyond::extend, kind);
+    surface_ = scratch.take<Surface>(n);
+    for (std::size_t k = 0; k < n; ++k)
+      surface_[k] = kind[k] != CellKind::cut ? Surface::none
+                    : partners[k] != 0       ? Surface::pressed
+                                             : Surface::free;
+  }
+
+  /// How much cell i lies at the rim of a contact, 0 to 1: not at all unless both pressed and free parts of
+  /// the surface are within the widest reach of a fit; then by how curved the free part is there. Flat
+  /// surfaces that do not meet everywhere at once have no rim.
+  double near(const Index<Dim>& i, const double* phi, double dx) const {
+    if (!any_) return 0;
+    const double reach = std::sqrt(end_exponent / decay_along<Dim>);
+    Box<Dim> around{i, i};
+    for (int d = 0; d < Dim; ++d) ++around.hi[d];
+    bool pressed = false;
+    double curvature = 0;
+    for_each(around.grown(static_cast<int>(reach)), [&](const Index<Dim>& j) {
+      double square = 0;
+      for (int d = 0; d < Dim; ++d) square += (j[d] - i[d]) * (j[d] - i[d]);
+      if (square > reach * reach) return;
+      const int k = window_.at(j);
+      pressed = pressed || surface_[k] == Surface::pressed;
+      if (surface_[k] == Surface::free)
+        curvature = std::max(curvature, std::abs(curvature_at(window_, phi, k, dx)));
+    });
+    return pressed ? std::min(curvature / rim_curved, 1.0) : 0;
+  }
+
+ private:
+  enum class Surface : std::uint8_t { none, free, pressed };
+  const Window<Dim>& window_;
+  Surface* surface_ = nullptr;
+  bool any_ = false;
+};
+
+/// A cell of the window as a donor; looked up when the first fit reads it.
+template <int Dim>
+struct Candidate {
+  double fill = 0;    // V/full, at most 1; 0: it does not donate; -1: not looked up yet
+  int place = -1;     // in Donors::cells; -1: not there yet
+  Vec<Dim> centroid;  // of its matter, from the centre of the cell as the window shows it [dx]
+};
+
+/// What the window around a block shows.
+template <int Dim>
+class Candidates {
+ public:
+  Candidates(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, Scratch& scratch)
+      : state_(state), body_(body), window_(w) {
+    const auto n = static_cast<std::size_t>(w.size());
+    auto* role = scratch.take<std::uint8_t>(n);
+    w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
+             Beyond::extend, role);
+    cells_ = scratch.take_filled<Candidate<Dim>>(n, {});
+    for (std::size_t k = 0; k < n; ++k)
+      if ((role[k] & donates) != 0) cells_[k].fill = -1;
+  }
+
+  /// The candidate at index i, which is place k of the window.
+  Candidate<Dim>& at(const Index<Dim>& i, int k) {
+    Candidate<Dim>& c = cells_[k];
+    if (c.fill < 0) look_up(i, c);
+    return c;
+  }
+
+ private:
+  void look_up(const Index<Dim>& i, Candidate<Dim>& c) const {
+    const auto from = window_.source(i);
+    const BodyBlock<Dim>& home = body_.at(from.slot);
+    const Grid<Dim>& grid = state_.grid();
+    const Index<Dim> cell = state_.mesh.block(from.slot).cells.lo + grid.layout().index(from.cell);
+    c.fill = std::min(home.volume[from.cell] / grid.full_volume(cell), 1.0);
+    if (const int cut = home.geometry.index[from.cell]; cut >= 0) {
+      const Vec<Dim>& centroid = home.geometry.cuts[cut].centroid;
+      for (int d = 0; d < Dim; ++d) c.centroid[d] = (from.flips >> d & 1U) != 0 ? -centroid[d] : centroid[d];
+    }
+  }
+
+  const State<Dim>& state_;
+  const Body<Dim>& body_;
+  const Window<Dim>& window_;
+  Candidate<Dim>* cells_;
+};
+
+/// The donors around one surface point. Appends to `donors`; where they lie goes to `slope_weight`.
+template <int Dim>
+int collect(const Grid<Dim>& grid, const Window<Dim>& w, const Vec<Dim>& point, const Reach<Dim>& reach,
+            Candidates<Dim>& candidates, Donors<Dim>& donors) {
+  Vec<Dim> at;
+  Box<Dim> rows;
+  for (int d = 0; d < Dim; ++d) {
+    at[d] = (point[d] - grid.origin[d]) / grid.dx - 0.5;
+    const int centre = static_cast<int>(std::floor(at[d] + 0.5));
+    rows.lo[d] = std::max(centre - reach.half[d], w.box().lo[d]);
+    rows.hi[d] = std::min(centre + reach.half[d] + 1, w.box().hi[d]);
+  }
+  const int width = rows.extent(0);
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  const std::size_t before = donors.parts.size();
+  for_each(rows, [&](Index<Dim> i) {
+    const int first = w.at(i);
+    for (int k = first; k < first + width; ++k, ++i[0]) {
+      Candidate<Dim>& c = candidates.at(i, k);
+      if (c.fill == 0) continue;
+      Vec<Dim> x;
+      for (int d = 0; d < Dim; ++d) x[d] = i[d] - at[d] + c.centroid[d];
+      const double across = dot(x, reach.normal), across2 = across * across,
+                   along2 = std::max(0.0, dot(x, x) - across2);
+      if (!reach.holds(x, across2, along2)) continue;
+      if (c.place < 0) {
+        c.place = static_cast<int>(donors.cells.size());
+        const auto from = w.source(i);
+        donors.cells.push_back({from.slot, from.cell, from.flips});
+      }
+      donors.parts.push_back({c.place, reach.weight(across2, along2) * c.fill, x});
+    }
+  });
+  return static_cast<int>(donors.parts.size() - before);
+}
+
+/// From weights and places (kept in slope_weight) to the coefficients of mean and gradient.
+template <int Dim>
+void solve(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors) {
+  double total = 0;
+  Vec<Dim> first;
+  Matrix<Dim> second{};
+  const auto begin = donors.begin() + wall.first_donor, end = begin + wall.donors;
+  for (auto it = begin; it != end; ++it) {
+    total += it->weight;
+    for (int d = 0; d < Dim; ++d) {
+      first[d] += it->weight * it->slope_weight[d];
+      for (int e = d; e < Dim; ++e) second[d][e] += it->weight * it->slope_weight[d] * it->slope_weight[e];
+    }
+  }
+  const Vec<Dim> mean = first * (1 / total);
+  for (int d = 0; d < Dim; ++d)
+    for (int e = d; e < Dim; ++e) {
+      double& m = second[d][e];
+      m -= total * mean[d] * mean[e];
+      if (d == e) m += fit_ridge * total;
+      second[e][d] = m;
+    }
+  const Matrix<Dim> a = inverse<Dim>(second);
+  wall.donor_centre = mean;
+  for (auto it = begin; it != end; ++it) {
+    const Vec<Dim> x = it->slope_weight - mean;
+    for (int d = 0; d < Dim; ++d) it->slope_weight[d] = it->weight * dot(a[d], x);
+    it->weight /= total;
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch) {
+  BodyBlock<Dim>& b = body.at(slot);
+  b.donors.cells.clear();
+  b.donors.parts.clear();
+  b.walls.assign(b.geometry.cuts.size(), {});
+  if (b.geometry.cuts.empty()) return;
+  const Window<Dim> w(state.mesh, slot, fit_reach, b.matter);
+  Candidates<Dim> candidates(state, body, w, scratch);
+  const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
+  const Rims<Dim> rims(body, w, scratch);
+  for (std::size_t m = 0; m < b.walls.size(); ++m) {
+    Wall<Dim>& wall = b.walls[m];
+    wall.first_donor = static_cast<int>(b.donors.parts.size());
+    const CutCell<Dim>& cut = b.geometry.cuts[m];
+    const Index<Dim> i = w.index_of(cut.cell);
+    const double curvature = curvature_at(w, phi, w.at(i), state.grid().dx);
+    const double rim = rims.near(i, phi, state.grid().dx);
+    for (const int widened : {0, 4, 6})
+      if (wall.donors == 0)
+        wall.donors = collect(state.grid(), w, cut.point, reach_of<Dim>(cut.surface, curvature, rim, widened),
+                              candidates, b.donors);
+    if (wall.donors > 0)
+      solve(wall, b.donors.parts);
+    else
+      ++counters.cuts_without_donor;
+  }
+  for (const auto& cell : b.donors.cells)
+    require(!state.mesh.is_stand_in(cell.slot), "cells of one size around a surface");
+}
+
+#define RECOIL_INSTANTIATE(Dim) \
+  template void choose_donors<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);
+RECOIL_INSTANTIATE(1)
+RECOIL_INSTANTIATE(2)
+RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+
+}  // namespace recoil
