@@ -98,7 +98,7 @@ void refresh_averages(StepRun<Dim>& step) {
 
 template <int Dim>
 double choose_length(StepRun<Dim>& step, const Stepping& stepping, double until) {
-  static constexpr FieldAccess access{"choose length", {}, role | average | extension_velocity, {}};
+  static constexpr FieldAccess access{"choose length", {}, role | average | phi | extension_velocity, {}};
   const State<Dim>& state = step.state();
   const double sound = sound_in_step(Dim, stepping.stages);
   std::vector<double> fastest(static_cast<std::size_t>(state.mesh.local()), 0);
