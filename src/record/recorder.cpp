@@ -9,7 +9,6 @@ namespace recoil {
 namespace {
 
 constexpr double status_every = 5;  // s of wall time
-constexpr int stages = 3;           // of a step
 constexpr int exit_stopped = 3, exit_expectation_failed = 5, exit_doubtful = 6;
 
 /// Says the same error on all ranks that rank 0 found. Collective.
@@ -109,7 +108,8 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
     s.fragments = p.fragments.last();
   }
   s.passed = !p.world.any(!s.passed);
-  s.verdict = p.verdict_on(state, s, facts);
+  const Evidence evidence = p.evidence_on(state, s, facts);
+  s.verdict = judge(evidence, p.case_.limits);
   s.exit = facts.exit;
   const auto is = [&](Verdict::Kind kind) {  // the first process alone has seen all there is to judge
     return p.world.any(p.first() && s.verdict.kind == kind);
@@ -123,8 +123,9 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
   s.steps = state.step;
   s.wall_s = facts.wall_s;
   s.cpu_s = facts.cpu_s;
-  if (s.wall_s > 0)
-    s.rate = static_cast<double>(s.cells) * static_cast<double>(s.steps) * stages / s.wall_s * 1e-6;
+  for (const BodyEvidence& body : evidence.bodies) s.cell_steps += body.cell_steps;
+  const int stages = p.case_.method.stages == "one" ? 1 : 3;
+  if (s.wall_s > 0) s.rate = (s.cell_steps - p.cell_steps_before) * stages / s.wall_s * 1e-6;
   if (p.first()) {
     p.flush();
     write_summary(p.directory / "summary.json", s);
@@ -151,6 +152,7 @@ void Recorder<Dim>::abandon(const State<Dim>& state, const RunFacts& facts, cons
   s.exit = exit_stopped, s.passed = false;
   s.verdict = judge(e, p.case_.limits);
   s.time = state.time, s.steps = state.step, s.wall_s = facts.wall_s;
+  for (const BodyEvidence& body : e.bodies) s.cell_steps += body.cell_steps;
   s.budgets = p.budget.worst(), s.events = p.events.events(), s.floors = e.counters;
   write_summary(p.directory / "summary.json", s);
   if (!p.first()) return;

@@ -36,6 +36,7 @@ void Recorder<Dim>::resume(const State<Dim>& state, parallel::Unpacker& from) {
   Parts& p = *parts_;
   p.started = wall_clock();
   p.survey.unpack(p.world, from);
+  p.cell_steps_before = p.survey.cell_steps();
   p.gauges.unpack(from);
   p.events.unpack(from);
   p.fields.unpack(from, p.first());

@@ -146,6 +146,7 @@ struct Recorder<Dim>::Parts {
   FieldDump<Dim> fields;
   FragmentTable<Dim> fragments;
   StateSurvey<Dim> survey;
+  double cell_steps_before = 0;  // of the runs that this one continues; on rank 0
   bool stopped = false;
   Due history_due, fields_due;
   std::vector<PairSample> pairs;
@@ -331,14 +332,14 @@ struct Recorder<Dim>::Parts {
     throw PhysicsError(fmt::format("stopped at {:.6g} us: {}", state.time * 1e6, text));
   }
 
-  /// Collective; complete on rank 0.
-  Verdict verdict_on(const State<Dim>& state, const Summary& s, const RunFacts& facts) {
+  /// All that a run is judged by at its end. Collective; complete on rank 0.
+  Evidence evidence_on(const State<Dim>& state, const Summary& s, const RunFacts& facts) {
     if (survey.last() < state.step) survey.look(state, team);
     const auto recent = survey.recent(state, world);
     Evidence e = evidence_of(survey.evidence(state, facts.averaged, world));
     e.recent_averaged = recent.averaged, e.recent_cell_steps = recent.cell_steps;
     e.counters = s.floors;
-    return judge(e, case_.limits);
+    return e;
   }
 
   Quantities quantities(const Totals<Dim>& totals,

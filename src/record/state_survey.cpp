@@ -191,6 +191,13 @@ void StateSurvey<Dim>::look(const State<Dim>& state, parallel::Team* team) {
 }
 
 template <int Dim>
+double StateSurvey<Dim>::cell_steps() const {
+  double all = 0;
+  for (const Line& line : lines_) all += line.cell_steps;
+  return all;
+}
+
+template <int Dim>
 typename StateSurvey<Dim>::Recent StateSurvey<Dim>::recent(const State<Dim>& state,
                                                            const parallel::World& world) {
   std::array<std::int64_t, 2> sums{};

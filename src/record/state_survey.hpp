@@ -26,6 +26,9 @@ class StateSurvey {
   void look(const State<Dim>& state, parallel::Team* team);
   /// Step of the last look.
   long last() const { return last_; }
+  /// Cells with matter, summed over the steps until the last look, of this process; after unpack() those of
+  /// all processes are on rank 0.
+  double cell_steps() const;
   struct Recent {
     std::int64_t averaged = 0;
     double cell_steps = 0;

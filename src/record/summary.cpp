@@ -121,6 +121,7 @@ void write_summary(const std::filesystem::path& path, const Summary& s) {
   j["time_us"] = number(s.time * 1e6);
   j["steps"] = s.steps;
   j["cells"] = s.cells;
+  j["cell_steps"] = static_cast<std::int64_t>(s.cell_steps);
   j["wall_s"] = number(s.wall_s);
   j["cpu_s"] = number(s.cpu_s);
   j["rate_mcell_stage_per_s"] = number(s.rate);

@@ -42,10 +42,12 @@ struct Summary {
   Verdict verdict;     ///< on rank 0
   double time = 0;     ///< s
   long steps = 0;
-  std::int64_t cells = 0;                  ///< with matter, at the end
-  double wall_s = 0, cpu_s = 0, rate = 0;  ///< s, s; million cell stages per second
-  std::vector<Drift> budgets;              ///< of `total`, then of every deformable body
-  std::vector<std::string> turns;          ///< axes of angular momentum; none where there is none
+  std::int64_t cells = 0;  ///< with matter, at the end
+  double cell_steps = 0;   ///< cells with matter, summed over the steps
+  double wall_s = 0, cpu_s = 0,
+         rate = 0;                 ///< since the start or the resumption: s, s; million cell stages a second
+  std::vector<Drift> budgets;      ///< of `total`, then of every deformable body
+  std::vector<std::string> turns;  ///< axes of angular momentum; none where there is none
   std::string turning_unit;
   std::vector<Turning> turning;  ///< in the order of `budgets`
   std::vector<GaugeSummary> gauges;

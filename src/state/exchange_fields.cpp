@@ -60,9 +60,11 @@ class Writer {
   std::size_t at_;
 };
 
+/// A copy has the bits of the original, so -0 is not 0 here; bytes between members may differ, which costs
+/// room only.
 template <class T>
 bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
+  return std::memcmp(&a, &b, sizeof(T)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 /// f(place in the layout, number among the cells).
@@ -237,7 +239,7 @@ void exchange_fields(State<Dim>& state, const parallel::World& world, FieldSet f
         Rims<Dim> rims(state.mesh, slot, rank, reach);
         for (const Body<Dim>& body : state.bodies) {
           const BodyBlock<Dim>& b = body.at(slot);
-          parallel::pack(bytes, static_cast<char>((b.present ? 1 : 0) | (b.near_surface ? 2 : 0)));
+          parallel::pack(bytes, static_cast<std::uint8_t>((b.present ? 1 : 0) | (b.near_surface ? 2 : 0)));
           if (b.present)
             for_each_sent<Dim>(b, body.rigid.has_value(), fields, Sending<Dim>{bytes, b, rims, dx});
         }
@@ -245,7 +247,7 @@ void exchange_fields(State<Dim>& state, const parallel::World& world, FieldSet f
       [&](int slot, parallel::Unpacker& from) {
         Rims<Dim> rims(state.mesh, slot, world.rank(), reach);
         for (Body<Dim>& body : state.bodies) {
-          const int flags = from.read<char>();
+          const auto flags = from.read<std::uint8_t>();
           if ((flags & 1) == 0) {
             leave_block(body, slot);
             continue;

@@ -7,6 +7,7 @@ number of random moments at which runs are killed (5; the nightly tests take 50)
 
 import importlib.machinery
 import importlib.util
+import json
 import os
 import pathlib
 import random
@@ -81,8 +82,9 @@ def recoil(*words):
 
 
 def bits(run):
-    """Hashes of all that a run has recorded: gauges, history, events, last fields."""
-    return fingerprint.of_run(run) | {"events": (run / "events.csv").read_bytes()}
+    """Hashes of all that a run has recorded: gauges, history, events, last fields; and its cell-steps."""
+    steps = json.loads((run / "summary.json").read_text())["cell_steps"]
+    return fingerprint.of_run(run) | {"events": (run / "events.csv").read_bytes(), "cell_steps": steps}
 
 
 class Resume(unittest.TestCase):

@@ -24,7 +24,7 @@ TEST(Summary, SaysWhatScriptsRelyOn) {
   s.case_name = "plates";
   s.exit = 5;
   s.passed = false;
-  s.steps = 12, s.cells = 340, s.wall_s = 2, s.cpu_s = 3, s.rate = 6;
+  s.steps = 12, s.cells = 340, s.cell_steps = 4e3, s.wall_s = 2, s.cpu_s = 3, s.rate = 6;
   s.budgets = {{"total", 1e-15, 2e-15, 3e-15}};
   s.gauges = {{"rear", "stress.xx", "GPa", 1e-9, {-5e9, 3e-6}, NAN}};
   s.events = {{0.7e-6, "opening", "a-b", {0.001}, "apart"}};
@@ -53,6 +53,7 @@ TEST(Summary, SaysWhatScriptsRelyOn) {
   EXPECT_EQ(reason["place_mm"], nlohmann::json::array({1.0}));
   EXPECT_EQ(j["steps"], 12);
   EXPECT_EQ(j["cells"], 340);
+  EXPECT_EQ(j["cell_steps"], 4000);
   EXPECT_EQ(j["cpu_s"], 3);
   EXPECT_EQ(j["rate_mcell_stage_per_s"], 6);
   EXPECT_EQ(j["budgets"]["total"]["energy"], 3e-15);
