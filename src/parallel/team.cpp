@@ -1,6 +1,8 @@
 #include "parallel/team.hpp"
 
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -40,6 +42,29 @@ void wait_for_change(const std::atomic<T>& value, T old, int looks) {
   value.wait(old);
 }
 
+/// The items of one thread that are left: it takes them from the front, others from the back.
+class alignas(64) Share {
+ public:
+  void fill(int first, int last) { left_.store(packed(first, last), std::memory_order_relaxed); }
+  /// The next item, or below 0.
+  int take(bool own) {
+    std::uint64_t left = left_.load();
+    while (true) {
+      const auto first = static_cast<std::uint32_t>(left >> 32U), last = static_cast<std::uint32_t>(left);
+      if (first >= last) return -1;
+      const std::uint64_t after = own ? packed(first + 1, last) : packed(first, last - 1);
+      if (left_.compare_exchange_weak(left, after)) return static_cast<int>(own ? first : last - 1);
+    }
+  }
+
+ private:
+  template <class T>
+  static std::uint64_t packed(T first, T last) {
+    return static_cast<std::uint64_t>(first) << 32U | static_cast<std::uint32_t>(last);
+  }
+  std::atomic<std::uint64_t> left_{0};
+};
+
 }  // namespace
 
 struct Team::Pool {
@@ -47,8 +72,8 @@ struct Team::Pool {
   std::vector<std::unique_ptr<Scratch>> scratch;
   std::vector<std::jthread> workers;
   const std::function<void(int, int)>* task = nullptr;
-  int items = 0;
-  std::atomic<int> next{0}, busy{0};
+  std::vector<Share> shares;  // by thread
+  std::atomic<int> busy{0};
   std::atomic<unsigned> round{0};
   std::atomic<bool> stop{false};
   std::mutex failure_mutex;
@@ -56,15 +81,21 @@ struct Team::Pool {
   int failed_item = std::numeric_limits<int>::max();
 
   void work(int worker) {
-    for (int item = next.fetch_add(1); item < items; item = next.fetch_add(1)) {
-      try {
-        (*task)(item, worker);
-      } catch (...) {
-        const std::lock_guard lock(failure_mutex);
-        if (item < failed_item) {
-          failed_item = item;
-          failure = std::current_exception();
-        }
+    const auto threads = static_cast<int>(shares.size());
+    for (int k = 0; k < threads; ++k) {
+      Share& share = shares[static_cast<std::size_t>((worker + k) % threads)];
+      for (int item = share.take(k == 0); item >= 0; item = share.take(k == 0)) run(item, worker);
+    }
+  }
+
+  void run(int item, int worker) {
+    try {
+      (*task)(item, worker);
+    } catch (...) {
+      const std::lock_guard lock(failure_mutex);
+      if (item < failed_item) {
+        failed_item = item;
+        failure = std::current_exception();
       }
     }
   }
@@ -84,6 +115,7 @@ struct Team::Pool {
 Team::Team(int threads) : pool_(std::make_unique<Pool>()) {
   require(threads >= 1, "a team has at least one thread");
   pool_->looks = looks_before_sleep(threads);
+  pool_->shares = std::vector<Share>(static_cast<std::size_t>(threads));
   for (int i = 0; i < threads; ++i) pool_->scratch.push_back(std::make_unique<Scratch>());
   for (int i = 1; i < threads; ++i) pool_->workers.emplace_back([this, i] { pool_->serve(i); });
 }
@@ -101,10 +133,16 @@ Scratch& Team::scratch(int worker) { return *pool_->scratch[worker]; }
 void Team::run(int items, const std::function<void(int, int)>& task) {
   Pool& p = *pool_;
   p.task = &task;
-  p.items = items;
-  p.next = 0;
   // Waking the others costs more than a few blocks of work.
   const bool together = threads() > 1 && items >= 4;
+  for (int k = 0; k < threads(); ++k) {
+    const auto first = [&](int thread) {
+      return together     ? static_cast<int>(static_cast<long>(items) * thread / threads())
+             : thread > 0 ? items
+                          : 0;
+    };
+    p.shares[static_cast<std::size_t>(k)].fill(first(k), first(k + 1));
+  }
   if (together) {
     p.busy = threads() - 1;
     p.round.fetch_add(1);
