@@ -1,5 +1,6 @@
 #include "parallel/team.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -42,11 +43,13 @@ void wait_for_change(const std::atomic<T>& value, T old, int looks) {
   value.wait(old);
 }
 
-/// The items of one thread that are left: it takes them from the front, others from the back.
+/// How many of the items of one thread are left: it takes them from the front, others from the back.
 class alignas(64) Share {
  public:
-  void fill(int first, int last) { left_.store(packed(first, last), std::memory_order_relaxed); }
-  /// The next item, or below 0.
+  void fill(int count) {
+    left_.store(packed(0, static_cast<std::uint32_t>(count)), std::memory_order_relaxed);
+  }
+  /// The next one, or below 0.
   int take(bool own) {
     std::uint64_t left = left_.load();
     while (true) {
@@ -58,9 +61,8 @@ class alignas(64) Share {
   }
 
  private:
-  template <class T>
-  static std::uint64_t packed(T first, T last) {
-    return static_cast<std::uint64_t>(first) << 32U | static_cast<std::uint32_t>(last);
+  static std::uint64_t packed(std::uint32_t first, std::uint32_t last) {
+    return static_cast<std::uint64_t>(first) << 32U | last;
   }
   std::atomic<std::uint64_t> left_{0};
 };
@@ -72,7 +74,8 @@ struct Team::Pool {
   std::vector<std::unique_ptr<Scratch>> scratch;
   std::vector<std::jthread> workers;
   const std::function<void(int, int)>* task = nullptr;
-  std::vector<Share> shares;  // by thread
+  std::vector<Share> shares;  // by thread; item k of thread w is w + k * stride
+  int stride = 1;
   std::atomic<int> busy{0};
   std::atomic<unsigned> round{0};
   std::atomic<bool> stop{false};
@@ -83,8 +86,9 @@ struct Team::Pool {
   void work(int worker) {
     const auto threads = static_cast<int>(shares.size());
     for (int k = 0; k < threads; ++k) {
-      Share& share = shares[static_cast<std::size_t>((worker + k) % threads)];
-      for (int item = share.take(k == 0); item >= 0; item = share.take(k == 0)) run(item, worker);
+      const int owner = (worker + k) % threads;
+      Share& share = shares[static_cast<std::size_t>(owner)];
+      for (int n = share.take(k == 0); n >= 0; n = share.take(k == 0)) run(owner + n * stride, worker);
     }
   }
 
@@ -135,14 +139,10 @@ void Team::run(int items, const std::function<void(int, int)>& task) {
   p.task = &task;
   // Waking the others costs more than a few blocks of work.
   const bool together = threads() > 1 && items >= 4;
-  for (int k = 0; k < threads(); ++k) {
-    const auto first = [&](int thread) {
-      return together     ? static_cast<int>(static_cast<long>(items) * thread / threads())
-             : thread > 0 ? items
-                          : 0;
-    };
-    p.shares[static_cast<std::size_t>(k)].fill(first(k), first(k + 1));
-  }
+  p.stride = together ? threads() : 1;
+  for (int thread = 0; thread < threads(); ++thread)
+    p.shares[static_cast<std::size_t>(thread)].fill(
+        thread < p.stride ? (std::max(items - thread, 0) + p.stride - 1) / p.stride : 0);
   if (together) {
     p.busy = threads() - 1;
     p.round.fetch_add(1);

@@ -20,9 +20,9 @@ class Team {
   int threads() const;
   Scratch& scratch(int worker);
 
-  /// Calls task(item, worker) once for each item in [0, items). A thread takes the same items in every call
-  /// with as many, as long as it is not behind: what it has worked on is still near its processor. An
-  /// exception of the lowest item that failed is thrown again here.
+  /// Calls task(item, worker) once for each item in [0, items), the first ones first. A thread takes the same
+  /// items in every call with as many, as long as none is late: what it worked on is still near its
+  /// processor. An exception of the lowest item that failed is thrown again here.
   void run(int items, const std::function<void(int, int)>& task);
 
  private:

@@ -35,6 +35,19 @@ TEST_P(Teams, EveryItemIsDoneOnce) {
   }
 }
 
+TEST(Team, WhatAThreadIsLateWithIsDoneByTheOther) {
+  Team team(2);
+  std::atomic<int> others{0};
+  const auto begun = std::chrono::steady_clock::now();
+  team.run(20, [&](int item, int) {
+    if (item != 0) ++others;
+    while (item == 0 && others < 19 && std::chrono::steady_clock::now() - begun < std::chrono::seconds(20))
+      std::this_thread::yield();
+  });
+  EXPECT_EQ(others, 19);
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20)) << "items were waited for";
+}
+
 TEST_P(Teams, TheFailureOfTheLowestItemIsReported) {
   Team team(GetParam());
   for (int round = 0; round < 20; ++round) {
