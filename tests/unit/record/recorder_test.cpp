@@ -91,7 +91,7 @@ TEST(Recorder, LeavesEverythingAndChecksIt) {
   EXPECT_EQ(s.exit, 0);
   EXPECT_EQ(s.case_name, "small");
   EXPECT_NEAR(static_cast<double>(s.cells), 80, 4);
-  EXPECT_NEAR(s.cell_steps / static_cast<double>(s.steps), 80, 4) << "flat plates cut a cell or two more";
+  EXPECT_NEAR(s.cell_steps / static_cast<double>(s.steps), 80, 4) << "about as many in each step";
   EXPECT_DOUBLE_EQ(s.rate, s.cell_steps * 3 * 1e-6) << "three stages, one second";
 
   const CsvTable history = read_csv(folder / "history.csv");
