@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "core/multiversion.hpp"
 #include "dynamics/flux.hpp"
@@ -14,7 +15,14 @@ namespace recoil::detail {
 
 namespace {
 
-/// Reads cells of the window, and their central differences. Open: some cells of the window have no value.
+/// Differences of the primitives along one axis.
+template <int Dim>
+struct Differences {
+  Primitives<Dim> slope;   // per metre, of fourth order
+  Primitives<Dim> fourth;  // the fourth difference
+};
+
+/// Reads cells of the window, and their differences. Open: some cells of the window have no value.
 template <int Dim, bool Open>
 struct Reader {
   const double* primitive;
@@ -24,27 +32,53 @@ struct Reader {
   double per_dx;  // 1/(2 dx)
   double shear;
 
+  struct Weights {
+    double low, high;
+  };
+  /// Of the differences to the lower and to the upper neighbour in a slope.
+  [[gnu::always_inline]] Weights weights_of_two(std::ptrdiff_t k, std::ptrdiff_t step) const {
+    if constexpr (!Open) return {per_dx, per_dx};
+    const double a = open[k - step], b = open[k + step], both = a + b;
+    const double each = open[k] * per_dx * 2 / (both > 0 ? both : 1.0);
+    return {a * each, b * each};
+  }
   [[gnu::always_inline]] Primitives<Dim> at(std::ptrdiff_t k) const {
     Primitives<Dim> w;
     for_each_constant<Components<Dim>::primitives>([&](auto c)
                                                        RECOIL_INLINE { w[c] = primitive[c * wide + k]; });
     return w;
   }
-  /// One-sided where one of the neighbours has no value, 0 where both have none or the cell itself has none.
-  [[gnu::always_inline]] Primitives<Dim> slope(std::ptrdiff_t k, std::ptrdiff_t step) const {
-    double low = per_dx, high = per_dx;
-    if constexpr (Open) {
-      const double a = open[k - step], b = open[k + step], both = a + b;
-      const double each = open[k] * per_dx * 2 / (both > 0 ? both : 1.0);
-      low = a * each;
-      high = b * each;
-    }
+  /// Central differences of `values` [primitives]: one-sided where one of the neighbours has no value, 0
+  /// where both have none or the cell itself has none.
+  [[gnu::always_inline]] Primitives<Dim> slope(const double* values, std::ptrdiff_t k,
+                                               std::ptrdiff_t step) const {
+    const Weights near = weights_of_two(k, step);
     Primitives<Dim> s;
     for_each_constant<Components<Dim>::primitives>([&](auto c) RECOIL_INLINE {
-      const double* at = primitive + c * wide + k;
-      s[c] = low * (*at - at[-step]) + high * (at[step] - *at);
+      const double* at = values + c * wide + k;
+      s[c] = near.low * (*at - at[-step]) + near.high * (at[step] - *at);
     });
     return s;
+  }
+  /// Of the primitives of five cells; where one of them has no value as slope(), and no fourth difference.
+  [[gnu::always_inline]] Differences<Dim> differences(std::ptrdiff_t k, std::ptrdiff_t step) const {
+    double low = 7.0 / 6 * per_dx, high = low, far = -per_dx / 6, bend = 1;
+    if constexpr (Open) {
+      const Weights near = weights_of_two(k, step);
+      bend = open[k - 2 * step] * open[k - step] * open[k] * open[k + step] * open[k + 2 * step];
+      low = bend > 0 ? low : near.low;
+      high = bend > 0 ? high : near.high;
+      far *= bend;
+    }
+    Differences<Dim> d;
+    for_each_constant<Components<Dim>::primitives>([&](auto c) RECOIL_INLINE {
+      const double* at = primitive + c * wide + k;
+      const double below = *at - at[-step], above = at[step] - *at, far_below = at[-step] - at[-2 * step],
+                   far_above = at[2 * step] - at[step];
+      d.slope[c] = (low * below + high * above) + far * (far_below + far_above);
+      d.fourth[c] = bend * ((far_above - far_below) - 3 * (above - below));
+    });
+    return d;
   }
   RECOIL_INLINE Response response(std::ptrdiff_t k, const double* loading) const {
     const double z = impedance[k];
@@ -62,10 +96,13 @@ void with_reader(const Work<Dim>& w, double g, F&& f) {
     f(Reader<Dim, false>{w.primitive, w.impedance, nullptr, w.wide, per_dx, g});
 }
 
-/// The rows of the cells whose face values move: the block's own and those beside them.
+/// What half a step by one axis changes is read this far from the block: a face reads the cells beside it, and
+/// what half a step across changes on both sides of those.
+constexpr int reach_along = 1, reach_across = 2;
+
+/// The rows of a box of cells.
 template <int Dim, class F>
-void for_each_row(const Work<Dim>& w, F&& f) {
-  Box<Dim> rows = w.cells.grown(1);
+void for_each_row(const Work<Dim>& w, Box<Dim> rows, F&& f) {
   const int width = rows.extent(0);
   rows.hi[0] = rows.lo[0] + 1;
   for_each(rows, [&](const Index<Dim>& r) { f(r, static_cast<std::ptrdiff_t>(w.window.at(r)), width); });
@@ -80,7 +117,7 @@ RECOIL_MULTIVERSION void find_working(const Reader& read, const std::array<std::
     const auto v = read.at(first + i);
     double sum = 0;
     for_each_axis<Dim>(
-        [&](auto d) RECOIL_INLINE { sum += working_along<Dim, d>(v, read.slope(first + i, step[d])); });
+        [&](auto d) RECOIL_INLINE { sum += working_along<Dim, d>(v, read.slope(read.primitive, first + i, step[d])); });
     working[i] = sum;
   }
 }
@@ -91,7 +128,7 @@ void find_loading(const Body<Dim>& body, Work<Dim>& w) {
   std::array<std::ptrdiff_t, Dim> step;
   for (int d = 0; d < Dim; ++d) step[static_cast<std::size_t>(d)] = w.window.stride(d);
   with_reader(w, shear_modulus(body.material), [&](const auto& read) {
-    for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
+    for_each_row(w, w.cells.grown(reach_across), [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
       double* loading = w.ahead.loading + first;
       find_working<Dim>(read, step, first, width, loading);
       for (int i = 0; i < width; ++i)
@@ -123,39 +160,72 @@ template <class Reader>
 }
 
 /// The changes of half a step by one axis, of a row of cells. @param step distance in memory along the axis.
-// NOLINTBEGIN(readability-non-const-parameter): the lambda writes to `change`
+// NOLINTBEGIN(readability-non-const-parameter): the lambda writes to `change` and `leaning`
 template <int Dim, int Axis, class Reader>
 RECOIL_MULTIVERSION void find_row_change(const Reader& read, const double* loading, std::ptrdiff_t step,
-                                         std::ptrdiff_t first, int count, double half, double* change) {
+                                         std::ptrdiff_t first, int count, double half, double* change,
+                                         double* leaning) {
+  const double damping = half * 2 * read.per_dx / 12;  // third-order upwind differences
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const std::ptrdiff_t k = first + i;
     const auto v = read.at(k);
-    const auto rate = rate_along<Dim, Axis>(v, read.slope(k, step), v[Components<Dim>::u + Axis],
-                                            read.response(k, loading));
-    for_each_constant<Components<Dim>::primitives>(
-        [&](auto c) RECOIL_INLINE { change[c * read.wide + k] = half * rate[c]; });
+    const auto d = read.differences(k, step);
+    const Response response = read.response(k, loading);
+    const auto rate = rate_along<Dim, Axis>(v, d.slope, v[Components<Dim>::u + Axis], response);
+    const auto lean = times_speeds<Dim, Axis>(v, d.fourth, response);
+    for_each_constant<Components<Dim>::primitives>([&](auto c) RECOIL_INLINE {
+      change[c * read.wide + k] = half * rate[c];
+      leaning[c * read.wide + k] = half * rate[c] - damping * lean[c];
+    });
   }
 }
 // NOLINTEND(readability-non-const-parameter)
+
+/// Where the changes by one axis are read.
+template <int Dim>
+Box<Dim> changed_by(const Work<Dim>& w, int axis) {
+  Box<Dim> box = w.cells.grown(reach_across);
+  box.lo[axis] = w.cells.lo[axis] - reach_along;
+  box.hi[axis] = w.cells.hi[axis] + reach_along;
+  return box;
+}
 
 /// The changes of half a step by one axis.
 template <int Dim, int Axis>
 void find_change(double g, double half, Work<Dim>& w) {
   const std::ptrdiff_t step = w.window.stride(Axis);
-  double* change = w.ahead.change[Axis];
+  double *change = w.ahead.change[Axis], *leaning = w.ahead.leaning[Axis];
   with_reader(w, g, [&](const auto& read) {
-    for_each_row(w, [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
-      find_row_change<Dim, Axis>(read, w.ahead.loading, step, first, width, half, change);
+    for_each_row(w, changed_by(w, Axis), [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
+      find_row_change<Dim, Axis>(read, w.ahead.loading, step, first, width, half, change, leaning);
       clear_behind(w, first + width, change);
     });
   });
 }
 
-/// The changes of half a step by the widening of rings.
+/// Adds what half a step along the axis makes of what half a step across it has changed, of a row of cells.
+// NOLINTBEGIN(readability-non-const-parameter): the lambda writes to `both`
+template <int Dim, int Axis, class Reader>
+RECOIL_MULTIVERSION void cross_row(const Reader& read, const double* loading, std::ptrdiff_t step,
+                                   std::ptrdiff_t first, int count, double half, const double* across,
+                                   double* both) {
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) {
+    const std::ptrdiff_t k = first + i;
+    const auto v = read.at(k);
+    const auto rate = rate_along<Dim, Axis>(v, read.slope(across, k, step), v[Components<Dim>::u + Axis],
+                                            read.response(k, loading));
+    for_each_constant<Components<Dim>::primitives>(
+        [&](auto c) RECOIL_INLINE { both[c * read.wide + k] = across[c * read.wide + k] + half * rate[c]; });
+  }
+}
+// NOLINTEND(readability-non-const-parameter)
+
+/// The changes of half a step by the widening of rings, which stand beside those by each axis too.
 void find_ring_change(double g, double half, Work<2>& w) {
   const Reader<2, false> read{w.primitive, w.impedance, nullptr, w.wide, 0.5 / w.grid.dx, g};
-  for_each_row(w, [&](const Index<2>& r, std::ptrdiff_t first, int width) {
+  for_each_row(w, w.cells.grown(reach_across), [&](const Index<2>& r, std::ptrdiff_t first, int width) {
     for (int i = 0; i < width; ++i) {
       const std::ptrdiff_t k = first + i;
       Primitives<2> rate{};
@@ -164,6 +234,34 @@ void find_ring_change(double g, double half, Work<2>& w) {
     }
     clear_behind(w, first + width, w.ahead.change[2]);
   });
+  for (int d = 0; d < 2; ++d)
+    for_each_row(w, changed_by(w, d), [&](const Index<2>&, std::ptrdiff_t first, int width) {
+      for (std::size_t c = 0; c < Components<2>::primitives; ++c) {
+        const std::size_t at = c * w.wide + static_cast<std::size_t>(first);
+        add_scaled(width, 1, w.ahead.change[2] + at, w.ahead.leaning[d] + at);
+      }
+    });
+}
+
+template <int Dim>
+Box<Dim> grown_along(const Work<Dim>& w, int axis, int reach) {
+  Box<Dim> box = w.cells;
+  box.lo[axis] -= reach;
+  box.hi[axis] += reach;
+  return box;
+}
+
+/// What half a step by both axes but one changes, into `sum`.
+template <int Axis>
+const double* sum_of_others(const Work<3>& w, double* sum) {
+  const double *a = w.ahead.leaning[Axis == 0 ? 1 : 0], *b = w.ahead.leaning[Axis == 2 ? 1 : 2];
+  for_each_row(w, grown_along(w, Axis, reach_across), [&](const Index<3>&, std::ptrdiff_t first, int width) {
+    for (std::size_t c = 0; c < Components<3>::primitives; ++c) {
+      const std::size_t at = c * w.wide + static_cast<std::size_t>(first);
+      add_rows(width, a + at, b + at, sum + at);
+    }
+  });
+  return sum;
 }
 
 template <int Dim>
@@ -180,8 +278,9 @@ void leave_voids(Work<Dim>& w) {
   if (!w.failed) return;
   for (std::size_t k = 0; k < w.wide; ++k)
     if (w.failed[k] == with_void)
-      for (double* change : w.ahead.change)
-        for (std::size_t c = 0; change && c < Components<Dim>::primitives; ++c) change[c * w.wide + k] = 0;
+      for (const auto& changes : {std::span<double*>(w.ahead.change), std::span<double*>(w.ahead.leaning)})
+        for (double* change : changes)
+          for (std::size_t c = 0; change && c < Components<Dim>::primitives; ++c) change[c * w.wide + k] = 0;
 }
 
 }  // namespace
@@ -197,6 +296,7 @@ void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& w, Scratch& scr
   if (has_strength(body.material.strength)) find_loading(body, w);
   for_each_axis<Dim>([&](auto axis) {
     w.ahead.change[axis] = scratch.take<double>(n);
+    w.ahead.leaning[axis] = scratch.take<double>(n);
     find_change<Dim, axis>(g, 0.5 * dt, w);
   });
   if constexpr (Dim == 2)
@@ -205,6 +305,28 @@ void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& w, Scratch& scr
       find_ring_change(g, 0.5 * dt, w);
     }
   leave_voids(w);
+}
+
+template <int Dim, int Axis>
+void find_across(double shear_modulus, Work<Dim>& w, Scratch& scratch) {
+  if constexpr (Dim > 1) {
+    constexpr std::size_t primitives = Components<Dim>::primitives;
+    const std::size_t n = w.wide * primitives + vector_length;
+    double* both = scratch.take<double>(n);
+    const double* across = w.ahead.leaning[Axis == 0 ? 1 : 0];
+    if constexpr (Dim == 3) across = sum_of_others<Axis>(w, scratch.take<double>(n));
+    with_reader(w, shear_modulus, [&](const auto& read) {
+      for_each_row(w, grown_along(w, Axis, reach_along), [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
+        cross_row<Dim, Axis>(read, w.ahead.loading, w.window.stride(Axis), first, width, 0.5 * w.ahead.dt,
+                             across, both);
+        clear_behind(w, first + width, both);
+        if (!w.failed) return;
+        for (std::ptrdiff_t k = first; k < first + width; ++k)
+          for (std::size_t c = 0; w.failed[k] == with_void && c < primitives; ++c) both[c * w.wide + k] = 0;
+      });
+    });
+    w.ahead.across = both;
+  }
 }
 
 template <int Dim>
@@ -230,6 +352,14 @@ void move_to_midstep(Work<Dim>& w) {
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)
+#undef RECOIL_INSTANTIATE
+#define RECOIL_INSTANTIATE(Dim, Axis) template void find_across<Dim, Axis>(double, Work<Dim>&, Scratch&);
+RECOIL_INSTANTIATE(1, 0)
+RECOIL_INSTANTIATE(2, 0)
+RECOIL_INSTANTIATE(2, 1)
+RECOIL_INSTANTIATE(3, 0)
+RECOIL_INSTANTIATE(3, 1)
+RECOIL_INSTANTIATE(3, 2)
 #undef RECOIL_INSTANTIATE
 
 }  // namespace recoil::detail

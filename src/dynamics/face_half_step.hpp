@@ -201,13 +201,6 @@ template <int Dim, int Axis>
   return v;
 }
 
-/// f(change) for what half a step by each of the other axes changes, and by the widening of rings.
-template <int Axis, class F>
-[[gnu::always_inline]] inline void for_each_transverse(const HalfStep& ahead, F&& f) {
-  for (std::size_t d = 0; d < ahead.change.size(); ++d)
-    if (d != Axis && ahead.change[d]) f(ahead.change[d]);
-}
-
 /// Adds what the other axes change, and puts an end of a cell that yields back into its row. Its deviator
 /// does not grow beyond that of the cell's average.
 template <int Dim, int Axis>
@@ -215,9 +208,8 @@ template <int Dim, int Axis>
                                            int at) {
   using C = Components<Dim>;
   const std::ptrdiff_t k = in.first + i;
-  for_each_transverse<Axis>(*in.ahead, [&](const double* change) {
-    for (std::size_t c = 0; c < v.size(); ++c) v[c] += change[c * in.cells + k];
-  });
+  if (const double* across = in.ahead->across)
+    for (std::size_t c = 0; c < v.size(); ++c) v[c] += across[c * in.cells + k];
   const double own = equivalent_stress_squared<Dim>(in.primitive + C::s * in.cells + k, in.cells),
                end = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
   if (end > own) {
@@ -230,29 +222,27 @@ template <int Dim, int Axis>
 
 /// Adds what half a step by the other axes changes to a row of values.
 template <int Dim, int Axis>
-[[gnu::flatten]] RECOIL_MULTIVERSION void add_transverse(const Row<Dim>& in, int to, FaceValues<Dim>& w) {
+[[gnu::flatten]] RECOIL_MULTIVERSION void add_across(const Row<Dim>& in, int to, FaceValues<Dim>& w) {
   using C = Components<Dim>;
-  for_each_transverse<Axis>(*in.ahead, [&](const double* change) {
-    const auto of = [&](std::size_t c) { return change + c * in.cells + in.first; };
-    for (std::size_t c = 0; c < C::primitives; ++c) {
-      if (c == C::p || (c >= in.carried() && c < C::contents)) continue;
-      const double* t = of(c);
-      double* v = w.value[c] + to;
+  const auto of = [&](std::size_t c) { return in.ahead->across + c * in.cells + in.first; };
+  for (std::size_t c = 0; c < C::primitives; ++c) {
+    if (c == C::p || (c >= in.carried() && c < C::contents)) continue;
+    const double* t = of(c);
+    double* v = w.value[c] + to;
 #pragma GCC ivdep
-      for (int i = 0; i < in.count; ++i) v[i] += t[i];
-    }
-    const double* p = of(C::p);
-    double* stress = w.stress + to;
-    if constexpr (Dim == 3 && Axis == 2) {
-      const double *xx = of(C::s), *yy = of(C::s + 1);
+    for (int i = 0; i < in.count; ++i) v[i] += t[i];
+  }
+  const double* p = of(C::p);
+  double* stress = w.stress + to;
+  if constexpr (Dim == 3 && Axis == 2) {
+    const double *xx = of(C::s), *yy = of(C::s + 1);
 #pragma GCC ivdep
-      for (int i = 0; i < in.count; ++i) stress[i] -= xx[i] + yy[i] + p[i];
-    } else {
-      const double* s = of(C::s + C::stress(Axis, Axis));
+    for (int i = 0; i < in.count; ++i) stress[i] -= xx[i] + yy[i] + p[i];
+  } else {
+    const double* s = of(C::s + C::stress(Axis, Axis));
 #pragma GCC ivdep
-      for (int i = 0; i < in.count; ++i) stress[i] += s[i] - p[i];
-    }
-  });
+    for (int i = 0; i < in.count; ++i) stress[i] += s[i] - p[i];
+  }
 }
 
 /// Moves the values of a row of cells at their low and high faces, written from place `to` on, from the
@@ -275,8 +265,10 @@ void move_half_step(double g, bool has_extra, const Row<Dim>& in, int to, FaceVa
   if (n < in.count) {
     move_by_waves<Dim, Axis, Shear>(g, has_extra, in, to, low, high);
     if constexpr (Shear) move_shear<Dim, Axis>(in, to, low, high);
-    add_transverse<Dim, Axis>(in, to, low);
-    add_transverse<Dim, Axis>(in, to, high);
+    if (in.ahead->across) {
+      add_across<Dim, Axis>(in, to, low);
+      add_across<Dim, Axis>(in, to, high);
+    }
   }
   for (int k = 0; k < n; ++k) {
     Ends& e = yielding[k];

@@ -66,22 +66,22 @@ void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t a
   for (std::size_t s : {4, 5})
     if (!has[s]) from[s] = from[s - 1];
   std::array<double, 6 * C::primitives> value{};
-  std::array<std::array<double, 6 * C::primitives>, 4> change{};
+  std::array<double, 6 * C::primitives> change{}, across{};
   std::array<double, 6> stress{}, impedance{}, loading{}, shear{};
   for (std::size_t s = 0; s < 6; ++s) {
     for (std::size_t c = 0; c < C::primitives; ++c) {
       value[c * 6 + s] = w.primitive[c * w.wide + from[s]];
-      for (std::size_t d = 0; d < change.size(); ++d)
-        if (w.ahead.change[d]) change[d][c * 6 + s] = w.ahead.change[d][c * w.wide + from[s]];
+      if (w.ahead.dt > 0) change[c * 6 + s] = w.ahead.change[Axis][c * w.wide + from[s]];
+      if (w.ahead.across) across[c * 6 + s] = w.ahead.across[c * w.wide + from[s]];
     }
     stress[s] = w.stress[from[s]];
     impedance[s] = w.impedance[from[s]];
     if (w.ahead.loading) loading[s] = w.ahead.loading[from[s]];
     if (w.shear) shear[s] = w.shear[from[s]];
   }
-  HalfStep ahead{w.ahead.dt, w.ahead.per_dx, loading.data(), {}};
-  for (std::size_t d = 0; d < change.size(); ++d)
-    if (w.ahead.change[d]) ahead.change[d] = change[d].data();
+  HalfStep ahead{w.ahead.dt, w.ahead.per_dx, loading.data()};
+  ahead.change[Axis] = change.data();
+  if (w.ahead.across) ahead.across = across.data();
   Row<Dim> row{value.data(), stress.data(), impedance.data(), 6, 3, 1, 1, ahead.dt > 0 ? &ahead : nullptr,
                w.fails};
   if (w.shear) row.shear = shear.data();
@@ -207,6 +207,7 @@ void sweep(const AnyEos& eos, double g, const Geometry<Dim>& geometry, Work<Dim>
   double* flux = scratch.take<double>(nf * Components<Dim>::contents);
   double* velocity = scratch.take<double>(nf * Dim);
   find_normal_stress<Dim, Axis>(w, scratch);
+  if (Dim > 1 && w.ahead.dt > 0) find_across<Dim, Axis>(g, w, scratch);
   if (w.whole)
     whole_areas(w, faces, Axis, area);
   else

@@ -20,8 +20,12 @@ inline constexpr int row_room = longest_row + 8;
 struct HalfStep {
   double dt = 0, per_dx = 0;  // s of the whole step, and over dx
   double* loading = nullptr;  // 1/|S| where a cell yields and goes on loading, else 0
-  // [Components::primitives]: changes of half a step by each axis, then by the widening of rings; null: none
+  // [Components::primitives]: changes of half a step by each axis, then by the widening of rings, from
+  // central differences; the same by each axis from upwind differences. Null: none.
   std::array<double*, 4> change{};
+  std::array<double*, 3> leaning{};
+  // [Components::primitives]: what half a step across the axis of a sweep changes; null: nothing
+  double* across = nullptr;
 };
 
 /// What has failed in a cell.

@@ -312,6 +312,12 @@ void add_scaled(int count, double factor, const double* a, double* out) {
 }
 
 RECOIL_MULTIVERSION
+void add_rows(int count, const double* a, const double* b, double* out) {
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) out[i] = a[i] + b[i];
+}
+
+RECOIL_MULTIVERSION
 void mix(int count, double weight, const double* old, double* now) {
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) now[i] += weight * (old[i] - now[i]);

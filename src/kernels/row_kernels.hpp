@@ -140,6 +140,9 @@ void add_difference(int count, const double* low, const double* below, const dou
 /// out[i] += factor a[i].
 void add_scaled(int count, double factor, const double* a, double* out);
 
+/// out[i] = a[i] + b[i].
+void add_rows(int count, const double* a, const double* b, double* out);
+
 /// now[i] += weight (old[i] - now[i]).
 void mix(int count, double weight, const double* old, double* now);
 
