@@ -20,6 +20,7 @@ template <int Dim>
 struct Differences {
   Primitives<Dim> slope;   // per metre, of fourth order
   Primitives<Dim> fourth;  // the fourth difference
+  Primitives<Dim> bend;    // the same, or what stands for it beside surfaces
 };
 
 /// Reads cells of the window, and their differences. Open: some cells of the window have no value.
@@ -28,13 +29,35 @@ struct Reader {
   const double* primitive;
   const double* impedance;
   const double* open;  // 1 where a cell has a value, 0 where not
+  const double* own;   // 1 where that is its own average, 0 where it follows from a wall
   std::size_t wide;
   double per_dx;  // 1/(2 dx)
   double shear;
 
+  /// Of the differences to the neighbours below and above in a slope, of those beyond, and of the fourth one.
   struct Weights {
-    double low, high;
+    double low, high, far = 0, fourth = 0, bend = 0, second = 0;
   };
+  [[gnu::always_inline]] Weights weights_of_four(std::ptrdiff_t k, std::ptrdiff_t step) const {
+    const double near = 7.0 / 6 * per_dx, far = -per_dx / 6;
+    if constexpr (!Open) return {near, near, far, 1, 1, 0};
+    const Weights two = weights_of_two(k, step);
+    const double all = own[k - 2 * step] * own[k - step] * own[k] * own[k + step] * own[k + 2 * step];
+    const double both = open[k - step] * open[k] * open[k + step],
+                 valued = open[k - 2 * step] * both * open[k + 2 * step];
+    return {all > 0 ? near : two.low, all > 0 ? near : two.high, all * far, all, valued,
+            -6 * (1 - valued) * both};
+  }
+  struct Difference {
+    double slope, fourth, bend;
+  };
+  static RECOIL_INLINE Difference difference(const Weights& w, const double* at, std::ptrdiff_t step) {
+    const double below = *at - at[-step], above = at[step] - *at, far_below = at[-step] - at[-2 * step],
+                 far_above = at[2 * step] - at[step];
+    const double fourth = (far_above - far_below) - 3 * (above - below);
+    return {(w.low * below + w.high * above) + w.far * (far_below + far_above), w.fourth * fourth,
+            w.bend * fourth + w.second * (above - below)};
+  }
   /// Of the differences to the lower and to the upper neighbour in a slope.
   [[gnu::always_inline]] Weights weights_of_two(std::ptrdiff_t k, std::ptrdiff_t step) const {
     if constexpr (!Open) return {per_dx, per_dx};
@@ -60,23 +83,16 @@ struct Reader {
     });
     return s;
   }
-  /// Of the primitives of five cells; where one of them has no value as slope(), and no fourth difference.
+  /// Of the primitives of five cells; where one of them has no average of its own as slope(), and no fourth
+  /// difference: of ghost values it would brake a body that turns.
   [[gnu::always_inline]] Differences<Dim> differences(std::ptrdiff_t k, std::ptrdiff_t step) const {
-    double low = 7.0 / 6 * per_dx, high = low, far = -per_dx / 6, bend = 1;
-    if constexpr (Open) {
-      const Weights near = weights_of_two(k, step);
-      bend = open[k - 2 * step] * open[k - step] * open[k] * open[k + step] * open[k + 2 * step];
-      low = bend > 0 ? low : near.low;
-      high = bend > 0 ? high : near.high;
-      far *= bend;
-    }
+    const Weights weights = weights_of_four(k, step);
     Differences<Dim> d;
     for_each_constant<Components<Dim>::primitives>([&](auto c) RECOIL_INLINE {
-      const double* at = primitive + c * wide + k;
-      const double below = *at - at[-step], above = at[step] - *at, far_below = at[-step] - at[-2 * step],
-                   far_above = at[2 * step] - at[step];
-      d.slope[c] = (low * below + high * above) + far * (far_below + far_above);
-      d.fourth[c] = bend * ((far_above - far_below) - 3 * (above - below));
+      const Difference of = difference(weights, primitive + c * wide + k, step);
+      d.slope[c] = of.slope;
+      d.fourth[c] = of.fourth;
+      d.bend[c] = of.bend;
     });
     return d;
   }
@@ -91,9 +107,9 @@ template <int Dim, class F>
 void with_reader(const Work<Dim>& w, double g, F&& f) {
   const double per_dx = 0.5 / w.grid.dx;
   if (w.open)
-    f(Reader<Dim, true>{w.primitive, w.impedance, w.open, w.wide, per_dx, g});
+    f(Reader<Dim, true>{w.primitive, w.impedance, w.open, w.own, w.wide, per_dx, g});
   else
-    f(Reader<Dim, false>{w.primitive, w.impedance, nullptr, w.wide, per_dx, g});
+    f(Reader<Dim, false>{w.primitive, w.impedance, nullptr, nullptr, w.wide, per_dx, g});
 }
 
 /// What half a step by one axis changes is read this far from the block: a face reads the cells beside it, and
@@ -159,12 +175,17 @@ template <class Reader>
   add_widening(v, sign * widening, on_axis ? 0.0 : sign / radius, read.response(k, w.ahead.loading), rate);
 }
 
-/// The changes of half a step by one axis, of a row of cells. @param step distance in memory along the axis.
-// NOLINTBEGIN(readability-non-const-parameter): the lambda writes to `change` and `leaning`
+/// Where a row of changes goes: by central and by upwind differences.
+struct ChangeRow {
+  double *central, *upwind;
+};
+
+/// The changes of half a step by one axis, of a row of cells: of all that waves move.
+/// @param step distance in memory along the axis.
+// NOLINTBEGIN(readability-non-const-parameter): the lambdas write to the rows
 template <int Dim, int Axis, class Reader>
 RECOIL_MULTIVERSION void find_row_change(const Reader& read, const double* loading, std::ptrdiff_t step,
-                                         std::ptrdiff_t first, int count, double half, double* change,
-                                         double* leaning) {
+                                         std::ptrdiff_t first, int count, double half, ChangeRow out) {
   const double damping = half * 2 * read.per_dx / 12;  // third-order upwind differences
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
@@ -173,11 +194,27 @@ RECOIL_MULTIVERSION void find_row_change(const Reader& read, const double* loadi
     const auto d = read.differences(k, step);
     const Response response = read.response(k, loading);
     const auto rate = rate_along<Dim, Axis>(v, d.slope, v[Components<Dim>::u + Axis], response);
-    const auto lean = times_speeds<Dim, Axis>(v, d.fourth, response);
-    for_each_constant<Components<Dim>::primitives>([&](auto c) RECOIL_INLINE {
-      change[c * read.wide + k] = half * rate[c];
-      leaning[c * read.wide + k] = half * rate[c] - damping * lean[c];
+    const auto lean = times_speeds<Dim, Axis>(v, d.fourth, d.bend, response);
+    for_each_constant<Components<Dim>::ep>([&](auto c) RECOIL_INLINE {
+      out.central[c * read.wide + k] = half * rate[c];
+      out.upwind[c * read.wide + k] = half * rate[c] - damping * lean[c];
     });
+  }
+}
+
+/// The same of one primitive that rides with the matter. @param ride velocity along the axis.
+template <class Reader>
+RECOIL_MULTIVERSION void find_row_ride(const Reader& read, const double* ride, const double* value,
+                                       std::ptrdiff_t step, std::ptrdiff_t first, int count, double half,
+                                       ChangeRow out) {
+  const double damping = half * 2 * read.per_dx / 12;
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) {
+    const std::ptrdiff_t k = first + i;
+    const auto d = Reader::difference(read.weights_of_four(k, step), value + k, step);
+    const double central = -half * ride[k] * d.slope;
+    out.central[k] = central;
+    out.upwind[k] = central - damping * std::abs(ride[k]) * d.fourth;
   }
 }
 // NOLINTEND(readability-non-const-parameter)
@@ -195,11 +232,22 @@ Box<Dim> changed_by(const Work<Dim>& w, int axis) {
 template <int Dim, int Axis>
 void find_change(double g, double half, Work<Dim>& w) {
   const std::ptrdiff_t step = w.window.stride(Axis);
-  double *change = w.ahead.change[Axis], *leaning = w.ahead.leaning[Axis];
+  const ChangeRow out{w.ahead.change[Axis], w.ahead.leaning[Axis]};
+  using C = Components<Dim>;
   with_reader(w, g, [&](const auto& read) {
     for_each_row(w, changed_by(w, Axis), [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
-      find_row_change<Dim, Axis>(read, w.ahead.loading, step, first, width, half, change, leaning);
-      clear_behind(w, first + width, change);
+      find_row_change<Dim, Axis>(read, w.ahead.loading, step, first, width, half, out);
+      for (std::size_t c = C::ep; c < C::primitives; ++c) {
+        const std::size_t at = c * w.wide;
+        if (c < w.held) {
+          find_row_ride(read, w.primitive + (C::u + Axis) * w.wide, w.primitive + at, step, first, width,
+                        half, ChangeRow{out.central + at, out.upwind + at});
+        } else {
+          std::fill_n(out.central + at + first, width, 0.0);
+          std::fill_n(out.upwind + at + first, width, 0.0);
+        }
+      }
+      clear_behind(w, first + width, out.central);
     });
   });
 }
@@ -224,7 +272,7 @@ RECOIL_MULTIVERSION void cross_row(const Reader& read, const double* loading, st
 
 /// The changes of half a step by the widening of rings, which stand beside those by each axis too.
 void find_ring_change(double g, double half, Work<2>& w) {
-  const Reader<2, false> read{w.primitive, w.impedance, nullptr, w.wide, 0.5 / w.grid.dx, g};
+  const Reader<2, false> read{w.primitive, w.impedance, nullptr, nullptr, w.wide, 0.5 / w.grid.dx, g};
   for_each_row(w, w.cells.grown(reach_across), [&](const Index<2>& r, std::ptrdiff_t first, int width) {
     for (int i = 0; i < width; ++i) {
       const std::ptrdiff_t k = first + i;
@@ -268,8 +316,12 @@ template <int Dim>
 void find_open(Work<Dim>& w, Scratch& scratch) {
   if (!w.role) return;
   w.open = scratch.take<double>(w.wide);
+  w.own = scratch.take<double>(w.wide);
 #pragma omp simd
-  for (std::size_t k = 0; k < w.wide; ++k) w.open[k] = (w.role[k] & valued) != 0 ? 1.0 : 0.0;
+  for (std::size_t k = 0; k < w.wide; ++k) {
+    w.open[k] = (w.role[k] & valued) != 0 ? 1.0 : 0.0;
+    w.own[k] = (w.role[k] & regular) != 0 ? 1.0 : 0.0;
+  }
 }
 
 /// Dust stays as it is: a void bears no wave.

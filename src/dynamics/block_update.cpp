@@ -27,6 +27,7 @@ using detail::Work;
 template <std::size_t count, int Dim>
 void gather_primitives(const Body<Dim>& body, int slot, double rho0, Work<Dim>& w, Scratch& scratch) {
   using C = Components<Dim>;
+  w.held = count;
   w.primitive = scratch.take<double>(w.wide * C::primitives + vector_length);
   std::fill_n(w.primitive + w.wide * count, w.wide * (C::primitives - count) + vector_length, 0.0);
   std::array<typename Window<Dim>::template Component<double>, count> components;

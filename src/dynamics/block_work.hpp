@@ -27,6 +27,7 @@ struct Work {
   Window<Dim> window;
   Box<Dim> cells;               // of the block that hold matter
   std::size_t n = 0, wide = 0;  // of those cells, of the window's
+  std::size_t held = 0;         // primitives that may differ from zero: the first ones
   double *primitive = nullptr, *impedance = nullptr, *stress = nullptr;
   double* shear = nullptr;                 // shear modulus; null: the same in every state
   std::uint8_t* role = nullptr;            // null where every cell has a value
@@ -37,6 +38,7 @@ struct Work {
   const LevelSides<Dim>* sides = nullptr;  // null: all blocks around are of its level
   HalfStep ahead{};                        // dt 0: three stages
   double* open = nullptr;      // 1 where a cell has a value for half a step, else 0; null: all have
+  double* own = nullptr;       // likewise 1 where that is its own average, else 0
   double* rate = nullptr;      // [contents]
   double* gradient = nullptr;  // [i * Dim + j]: integral of du_i/dx_j
   double* radial = nullptr;    // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z

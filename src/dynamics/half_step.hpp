@@ -87,22 +87,23 @@ template <int Dim, int a>
 
 /// |A| times a difference of the primitives along one axis, A the matrix of the waves along it: those of
 /// compression with c_L, of shear with sqrt(G/rho), and all that rides with |u_a|.
+/// @param bend the difference that waves of compression take.
 template <int Dim, int a>
 [[gnu::always_inline]] inline Primitives<Dim> times_speeds(const Primitives<Dim>& w,
                                                            const Primitives<Dim>& difference,
-                                                           const Response& m) {
+                                                           const Primitives<Dim>& bend, const Response& m) {
   using C = Components<Dim>;
   constexpr std::integral_constant<int, a> axis;
   const double per_rho = 1 / w[C::rho], stiffness = m.bulk + 4.0 / 3 * m.shear,
                sound = std::sqrt(stiffness * per_rho), shear_sound = std::sqrt(m.shear * per_rho),
                ride = std::abs(w[C::u + a]);
-  const double strain = sound * (deviator<Dim>(difference, axis, axis) - difference[C::p]) / stiffness;
+  const double strain = sound * (deviator<Dim>(bend, axis, axis) - bend[C::p]) / stiffness;
   Primitives<Dim> r;
   for_each_constant<C::primitives>([&](auto c) RECOIL_INLINE { r[c] = ride * difference[c]; });
   r[C::rho] -= w[C::rho] * strain;
   r[C::p] -= m.bulk * strain;
   for_each_axis<Dim>([&](auto i) RECOIL_INLINE {
-    r[C::u + i] += (i == a ? sound : shear_sound) * difference[C::u + i];
+    r[C::u + i] += i == a ? sound * bend[C::u + i] : shear_sound * difference[C::u + i];
     constexpr int on = C::stress(i, i), beside = C::stress(i, a);
     if constexpr (on >= 0) r[C::s + on] += (i == a ? 4.0 / 3 : -2.0 / 3) * m.shear * strain;
     if constexpr (i != a) r[C::s + beside] += shear_sound * difference[C::s + beside];

@@ -16,15 +16,18 @@ double loading_of(const Body<Dim>& body, const Primitives<Dim>& w) {
   using C = Components<Dim>;
   const Eos& eos = body.material.eos;
   const double square = equivalent_stress_squared<Dim>(w.data() + C::s, 1);
-  double e = energy(eos, w[C::rho], w[C::p], w[C::crushed]);
-  if (barotropic(eos)) e += w[C::extra];
-  e -= distortion_energy(square, shear_modulus(body.material), w[C::rho]);
-  const double yielding =
-      yield(body.material.strength, {.ep = std::max(w[C::ep], 0.0),
-                                     .temperature = body.temperature(w[C::rho], e, w[C::temperature_rise]),
-                                     .pressure = w[C::p],
-                                     .compression = w[C::rho] / rest_density(eos, w[C::crushed])});
-  return square > 0 && square >= at_yield * yielding * yielding ? std::sqrt(1.5 / square) : 0.0;
+  if (!(square > 0)) return 0;
+  YieldState state{.ep = std::max(w[C::ep], 0.0),
+                   .pressure = w[C::p],
+                   .compression = w[C::rho] / rest_density(eos, w[C::crushed])};
+  if (temperature_dependent(body.material.strength)) {
+    double e = energy(eos, w[C::rho], w[C::p], w[C::crushed]);
+    if (barotropic(eos)) e += w[C::extra];
+    e -= distortion_energy(square, shear_modulus(body.material), w[C::rho]);
+    state.temperature = body.temperature(w[C::rho], e, w[C::temperature_rise]);
+  }
+  const double yielding = yield(body.material.strength, state);
+  return square >= at_yield * yielding * yielding ? std::sqrt(1.5 / square) : 0.0;
 }
 
 }  // namespace recoil

@@ -43,8 +43,10 @@ double return_cell(const StrengthModel& at_rest, const Body<Dim>& body, double* 
   double kinetic = 0;
   for (std::size_t d = 0; d < Dim; ++d) kinetic += q[(C::u + d) * n] * q[(C::u + d) * n];
   const double internal = (q[C::energy * n] - 0.5 * kinetic / mass) / mass;
-  const double e = internal - distortion_energy(trial2, at_rest.shear_modulus, rho);
-  YieldState before{.ep = ep, .temperature = body.temperature(rho, e, q[C::temperature_rise * n] / mass)};
+  [[maybe_unused]] const double e = internal - distortion_energy(trial2, at_rest.shear_modulus, rho);
+  YieldState before{.ep = ep};
+  if constexpr (temperature_dependent<StrengthModel>())
+    before.temperature = body.temperature(rho, e, q[C::temperature_rise * n] / mass);
   if constexpr (pressure_dependent<StrengthModel>()) {
     double crushed = q[C::crushed * n] / mass;
     if (const auto* porous = std::get_if<Porous>(&body.material.eos))

@@ -7,6 +7,7 @@
 
 #include "core/mul_add.hpp"
 #include "core/multiversion.hpp"
+#include "material/eos/quick_exp.hpp"
 #include "state/level_set_view.hpp"
 
 namespace recoil {
@@ -148,13 +149,14 @@ WallAt<Dim>* walls_in_view(const Grid<Dim>& grid, const Body<Dim>& body, const W
   return walls;
 }
 
-constexpr int ring = 2;  // cells about a foot point whose mismatch counts
+constexpr double followed_cells = 2;  // [dx] farther cells need not follow: each step redistances them
+constexpr int ring = 2;               // cells about a foot point whose mismatch counts
 using Bell = std::array<double, 2 * ring + 1>;
 
 /// exp(-(x + k)^2) for k = -2..2: exp(-x^2) exp(-2 x k) exp(-k^2).
 Bell bell_about(double x) {
   constexpr double e1 = 0.36787944117144233, e4 = 0.018315638888734179;
-  const double middle = std::exp(-x * x), up = std::exp(-2 * x), down = 1 / up;
+  const double middle = quick_exp(-x * x), up = quick_exp(-2 * x), down = 1 / up;
   return {middle * down * down * e4, middle * down * e1, middle, middle * up * e1, middle * up * up * e4};
 }
 
@@ -184,7 +186,7 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
       for_each_cut(cuts, w.box(), around_cell(grid.cell_of(foot.point), reach, w.box()),
                    [&](int m, const Index<Dim>&) {
                      const Vec<Dim> r = walls[m].point - foot.point;
-                     const double weight = std::exp(-steepness * dot(r, r)) * (walls[m].area + 0.02);
+                     const double weight = quick_exp(-steepness * dot(r, r)) * (walls[m].area + 0.02);
                      weights += weight;
                      u += weight * walls[m].velocity;
                    });
@@ -253,7 +255,7 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
     mismatch[m] = g.cuts[g.index[from.cell]].mismatch;
   }
   for_each(w.inner(), [&](const Index<Dim>& i) {
-    if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
+    if (std::abs(phi[w.at(i)]) >= followed_cells * dx) return;
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
     const Index<Dim> near = grid.cell_of(foot.point);
     std::array<Bell, Dim> bell;

@@ -42,14 +42,25 @@ double largest(const std::vector<double>& values) {
 }
 
 template <int Dim>
+bool never_moves(const RigidMotion<Dim>& motion) {
+  return !motion.mass && !motion.history && motion.velocity == Vec<Dim>{} && motion.spin == Vec<3>{};
+}
+
+template <int Dim>
 void place_rigid_bodies(StepRun<Dim>& step, double ahead, PhiAt where) {
   State<Dim>& state = step.state();
   if (std::ranges::none_of(state.bodies, [](const Body<Dim>& body) { return body.rigid.has_value(); }))
     return;
   const Timers<StepPhase>::Span span(step.engine().timers, StepPhase::level_set);
   step.engine().team.run(state.mesh.local(), [&](int slot, int /*worker*/) {
-    for (Body<Dim>& body : state.bodies)
-      if (body.rigid && body.present(slot)) place_rigid(state, body, slot, ahead, where);
+    for (Body<Dim>& body : state.bodies) {
+      if (!body.rigid || !body.present(slot)) continue;
+      BodyBlock<Dim>& b = body.at(slot);
+      if (!never_moves(*body.rigid))
+        place_rigid(state, body, slot, ahead, where);
+      else if (where == PhiAt::midstep)  // it has stood there since it entered the block
+        b.phi_midstep = b.phi;
+    }
   });
   step.has_changed(where == PhiAt::midstep ? phi_midstep : phi);
 }

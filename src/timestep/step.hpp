@@ -34,10 +34,10 @@ const char* name_of(StepPhase part);
 enum class StepStages { one, three };
 
 /// How often the speed of sound counts in the length of a step, beside sum_d |u_d|. A wave has one direction:
-/// sqrt(dim) with three stages. With one stage linear waves are stable up to c_L dt = dx in 1-D, 0.85 to 0.95
-/// of it in 2-D and 0.8 in 3-D (docs/decisions/0036); these numbers leave a tenth, in 2-D and 3-D a little more.
+/// sqrt(dim) with three stages. With one stage linear waves are stable while c_L dt is below 1, 0.89 and 0.72
+/// of dx in 1-D, 2-D and 3-D (tools/stable_cfl), and surfaces at 45 degrees up to about 0.7 of it.
 inline double sound_in_step(int dim, StepStages stages) {
-  constexpr std::array one_stage{1.0, 1.2, 1.35};
+  constexpr std::array one_stage{1.0, 1.4, 1.4};
   return stages == StepStages::one ? one_stage[static_cast<std::size_t>(dim) - 1]
                                    : std::sqrt(static_cast<double>(dim));
 }

@@ -18,6 +18,7 @@ struct DruckerPrager {
   static constexpr const char* kind = "drucker-prager";
   static constexpr const char* doc = "yield stress linear in pressure: soil, powder, broken matter";
   static constexpr bool rate_dependent = false;
+  static constexpr bool temperature_dependent = false;
   static constexpr bool pressure_dependent = true;
 
   static constexpr auto parameters() {

@@ -14,6 +14,7 @@ struct Elastic {
   static constexpr const char* kind = "elastic";
   static constexpr const char* doc = "elastic without limit";
   static constexpr bool rate_dependent = false;
+  static constexpr bool temperature_dependent = false;
 
   static constexpr auto parameters() {
     using P = Parameter<Elastic>;

@@ -30,6 +30,7 @@ struct JohnsonHolmquist {
   static constexpr const char* doc =
       "Johnson-Holmquist 2: ceramics that go from intact to fractured strength";
   static constexpr bool rate_dependent = true;
+  static constexpr bool temperature_dependent = false;
   static constexpr bool pressure_dependent = true;
   static constexpr bool damage_dependent = true;
 

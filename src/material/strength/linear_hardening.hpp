@@ -16,6 +16,7 @@ struct LinearHardening {
   static constexpr const char* kind = "linear-hardening";
   static constexpr const char* doc = "yield stress linear in equivalent plastic strain";
   static constexpr bool rate_dependent = false;
+  static constexpr bool temperature_dependent = false;
 
   static constexpr auto parameters() {
     using P = Parameter<LinearHardening>;

@@ -21,6 +21,7 @@ struct Lundborg {
   static constexpr const char* doc =
       "yield stress that grows with pressure up to a limit: rock, concrete, ice";
   static constexpr bool rate_dependent = false;
+  static constexpr bool temperature_dependent = false;
   static constexpr bool pressure_dependent = true;
 
   static constexpr auto parameters() {

@@ -14,6 +14,7 @@ struct NoStrength {
   static constexpr const char* kind = "none";
   static constexpr const char* doc = "no strength: a fluid";
   static constexpr bool rate_dependent = false;
+  static constexpr bool temperature_dependent = false;
 
   static constexpr std::array<Parameter<NoStrength>, 0> parameters() { return {}; }
 

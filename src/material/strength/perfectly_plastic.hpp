@@ -15,6 +15,7 @@ struct PerfectlyPlastic {
   static constexpr const char* kind = "perfectly-plastic";
   static constexpr const char* doc = "elastic, perfectly plastic";
   static constexpr bool rate_dependent = false;
+  static constexpr bool temperature_dependent = false;
 
   static constexpr auto parameters() {
     using P = Parameter<PerfectlyPlastic>;

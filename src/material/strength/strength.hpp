@@ -60,6 +60,18 @@ inline double yield(const Strength& strength, const YieldState& state) {
   return std::visit([&](const auto& model) { return model.yield(state); }, strength);
 }
 
+/// Whether a model's yield stress depends on temperature: unless it says that it does not.
+template <class Model>
+constexpr bool temperature_dependent() {
+  if constexpr (requires { Model::temperature_dependent; })
+    return Model::temperature_dependent;
+  else
+    return true;
+}
+inline bool temperature_dependent(const Strength& strength) {
+  return std::visit([]<class Model>(const Model&) { return temperature_dependent<Model>(); }, strength);
+}
+
 /// Whether a model's yield stress depends on pressure or density.
 template <class Model>
 constexpr bool pressure_dependent() {

@@ -68,7 +68,8 @@ TEST(StepLength, NoiseGrowsBeyondTheLimit) {
   EXPECT_GT(growth_of_noise<3>(12, 1.6, 40), 10);
 }
 
-/// With one stage they are 1, 1 and 1.09, of fluids (tools/stable_cfl); of solids more in 2-D and 3-D.
+/// With one stage linear waves are stable while c_L dt is below 1, 0.89 and 0.72 of dx in 1-D, 2-D and 3-D
+/// (tools/stable_cfl): CFL numbers of 1, 1.07 and 1.01.
 TEST(StepLength, WithOneStageNoiseDiesOutBelowItsOwnLimit) {
   for (const Strength& strength : {Strength{NoStrength{}}, Strength{Elastic{43e9}}}) {
     EXPECT_LT(growth_of_noise<1>(64, 0.95, 100, StepStages::one, strength), 1);
@@ -76,14 +77,14 @@ TEST(StepLength, WithOneStageNoiseDiesOutBelowItsOwnLimit) {
     EXPECT_LT(growth_of_noise<3>(12, 0.95, 60, StepStages::one, strength), 1);
   }
   EXPECT_GT(growth_of_noise<1>(64, 1.2, 100, StepStages::one, NoStrength{}), 10);
-  EXPECT_GT(growth_of_noise<2>(24, 1.2, 100, StepStages::one, NoStrength{}), 10);
+  EXPECT_GT(growth_of_noise<2>(24, 1.4, 100, StepStages::one, NoStrength{}), 10);
   EXPECT_GT(growth_of_noise<3>(12, 1.4, 60, StepStages::one, NoStrength{}), 10);
 }
 
-TEST(StepLength, SoundCountsOnceAlongADiagonal) {
+TEST(StepLength, SoundHasOneDirection) {
   for (const int dim : {1, 2, 3}) {
     EXPECT_DOUBLE_EQ(sound_in_step(dim, StepStages::three), std::sqrt(dim));
-    EXPECT_DOUBLE_EQ(sound_in_step(dim, StepStages::one), dim);
+    EXPECT_LT(sound_in_step(dim, StepStages::one), std::sqrt(dim) + 1e-12);
   }
 }
 

@@ -28,6 +28,13 @@ TEST(Strength, YieldNeverFallsWithStrainOrRateNorRisesWithTemperature) {
   });
 }
 
+TEST(Strength, SaysWhetherItDependsOnTemperature) {
+  samples::for_each<Strength>([]<class Model>(const Model& s) {
+    const double cold = s.yield({0.1, 1e4, 320}), hot = s.yield({0.1, 1e4, 700});
+    EXPECT_EQ(temperature_dependent<Model>(), cold != hot) << s.kind;
+  });
+}
+
 TEST(Strength, OnlyFluidsHaveNoShearModulus) {
   samples::for_each<Strength>([](const auto& s) {
     const std::vector<Strength> list{s};
