@@ -9,9 +9,9 @@
 #include <variant>
 
 #include "cutcell/whole_cells.hpp"
-#include "dynamics/block_half_step.hpp"
 #include "dynamics/block_sources.hpp"
 #include "dynamics/face_sweep.hpp"
+#include "dynamics/half_step/block_half_step.hpp"
 #include "dynamics/stiffness/shear_modulus.hpp"
 #include "material/eos/any_eos.hpp"
 

@@ -5,11 +5,11 @@
 
 #include "core/scratch.hpp"
 #include "cutcell/geometry.hpp"
-#include "dynamics/block_half_step.hpp"
 #include "dynamics/block_sources.hpp"
 #include "dynamics/face_rows.hpp"
 #include "dynamics/failed_faces.hpp"
 #include "dynamics/flux_llf.hpp"
+#include "dynamics/half_step/block_half_step.hpp"
 
 namespace recoil::detail {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "dynamics/face_half_step.hpp"
 #include "dynamics/face_values.hpp"
+#include "dynamics/half_step/face_half_step.hpp"
 #include "dynamics/primitives.hpp"
 #include "kernels/row_kernels.hpp"
 #include "material/eos/any_eos.hpp"

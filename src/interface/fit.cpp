@@ -10,8 +10,8 @@
 #include <variant>
 
 #include "core/multiversion.hpp"
-#include "dynamics/half_step.hpp"
-#include "dynamics/loading.hpp"
+#include "dynamics/half_step/half_step.hpp"
+#include "dynamics/half_step/loading.hpp"
 #include "dynamics/primitives.hpp"
 #include "material/eos/isentrope.hpp"
 

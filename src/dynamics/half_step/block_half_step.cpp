@@ -1,4 +1,4 @@
-#include "dynamics/block_half_step.hpp"
+#include "dynamics/half_step/block_half_step.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,112 +8,26 @@
 
 #include "core/multiversion.hpp"
 #include "dynamics/flux.hpp"
-#include "dynamics/half_step.hpp"
-#include "dynamics/loading.hpp"
+#include "dynamics/half_step/half_step.hpp"
+#include "dynamics/half_step/loading.hpp"
+#include "dynamics/half_step/window_reader.hpp"
 
 namespace recoil::detail {
 
 namespace {
-
-/// Differences of the primitives along one axis.
-template <int Dim>
-struct Differences {
-  Primitives<Dim> slope;   // per metre, of fourth order
-  Primitives<Dim> fourth;  // the fourth difference
-  Primitives<Dim> bend;    // the same, or what stands for it beside surfaces
-};
-
-/// Reads cells of the window, and their differences. Open: some cells of the window have no value.
-template <int Dim, bool Open>
-struct Reader {
-  const double* primitive;
-  const double* impedance;
-  const double* open;  // 1 where a cell has a value, 0 where not
-  const double* own;   // 1 where that is its own average, 0 where it follows from a wall
-  std::size_t wide;
-  double per_dx;  // 1/(2 dx)
-  double shear;
-
-  /// Of the differences to the neighbours below and above in a slope, of those beyond, and of the fourth one.
-  struct Weights {
-    double low, high, far = 0, fourth = 0, bend = 0, second = 0;
-  };
-  [[gnu::always_inline]] Weights weights_of_four(std::ptrdiff_t k, std::ptrdiff_t step) const {
-    const double near = 7.0 / 6 * per_dx, far = -per_dx / 6;
-    if constexpr (!Open) return {near, near, far, 1, 1, 0};
-    const Weights two = weights_of_two(k, step);
-    const double all = own[k - 2 * step] * own[k - step] * own[k] * own[k + step] * own[k + 2 * step];
-    const double both = open[k - step] * open[k] * open[k + step],
-                 valued = open[k - 2 * step] * both * open[k + 2 * step];
-    return {all > 0 ? near : two.low, all > 0 ? near : two.high, all * far, all, valued,
-            -6 * (1 - valued) * both};
-  }
-  struct Difference {
-    double slope, fourth, bend;
-  };
-  static RECOIL_INLINE Difference difference(const Weights& w, const double* at, std::ptrdiff_t step) {
-    const double below = *at - at[-step], above = at[step] - *at, far_below = at[-step] - at[-2 * step],
-                 far_above = at[2 * step] - at[step];
-    const double fourth = (far_above - far_below) - 3 * (above - below);
-    return {(w.low * below + w.high * above) + w.far * (far_below + far_above), w.fourth * fourth,
-            w.bend * fourth + w.second * (above - below)};
-  }
-  /// Of the differences to the lower and to the upper neighbour in a slope.
-  [[gnu::always_inline]] Weights weights_of_two(std::ptrdiff_t k, std::ptrdiff_t step) const {
-    if constexpr (!Open) return {per_dx, per_dx};
-    const double a = open[k - step], b = open[k + step], both = a + b;
-    const double each = open[k] * per_dx * 2 / (both > 0 ? both : 1.0);
-    return {a * each, b * each};
-  }
-  [[gnu::always_inline]] Primitives<Dim> at(std::ptrdiff_t k) const {
-    Primitives<Dim> w;
-    for_each_constant<Components<Dim>::primitives>([&](auto c)
-                                                       RECOIL_INLINE { w[c] = primitive[c * wide + k]; });
-    return w;
-  }
-  /// Central differences of `values` [primitives]: one-sided where one of the neighbours has no value, 0
-  /// where both have none or the cell itself has none.
-  [[gnu::always_inline]] Primitives<Dim> slope(const double* values, std::ptrdiff_t k,
-                                               std::ptrdiff_t step) const {
-    const Weights near = weights_of_two(k, step);
-    Primitives<Dim> s;
-    for_each_constant<Components<Dim>::primitives>([&](auto c) RECOIL_INLINE {
-      const double* at = values + c * wide + k;
-      s[c] = near.low * (*at - at[-step]) + near.high * (at[step] - *at);
-    });
-    return s;
-  }
-  /// Of the primitives of five cells; where one of them has no average of its own as slope(), and no fourth
-  /// difference: of ghost values it would brake a body that turns.
-  [[gnu::always_inline]] Differences<Dim> differences(std::ptrdiff_t k, std::ptrdiff_t step) const {
-    const Weights weights = weights_of_four(k, step);
-    Differences<Dim> d;
-    for_each_constant<Components<Dim>::primitives>([&](auto c) RECOIL_INLINE {
-      const Difference of = difference(weights, primitive + c * wide + k, step);
-      d.slope[c] = of.slope;
-      d.fourth[c] = of.fourth;
-      d.bend[c] = of.bend;
-    });
-    return d;
-  }
-  RECOIL_INLINE Response response(std::ptrdiff_t k, const double* loading) const {
-    const double z = impedance[k];
-    return {z * z / primitive[k] - 4.0 / 3 * shear, shear, loading[k]};
-  }
-};
 
 /// f(reader) with that of the window.
 template <int Dim, class F>
 void with_reader(const Work<Dim>& w, double g, F&& f) {
   const double per_dx = 0.5 / w.grid.dx;
   if (w.open)
-    f(Reader<Dim, true>{w.primitive, w.impedance, w.open, w.own, w.wide, per_dx, g});
+    f(WindowReader<Dim, true>{w.primitive, w.impedance, w.open, w.own, w.wide, per_dx, g});
   else
-    f(Reader<Dim, false>{w.primitive, w.impedance, nullptr, nullptr, w.wide, per_dx, g});
+    f(WindowReader<Dim, false>{w.primitive, w.impedance, nullptr, nullptr, w.wide, per_dx, g});
 }
 
-/// What half a step by one axis changes is read this far from the block: a face reads the cells beside it, and
-/// what half a step across changes on both sides of those.
+/// What half a step by one axis changes is read this far from the block: a face reads the cells beside it,
+/// and what half a step across changes on both sides of those.
 constexpr int reach_along = 1, reach_across = 2;
 
 /// The rows of a box of cells.
@@ -132,8 +46,9 @@ RECOIL_MULTIVERSION void find_working(const Reader& read, const std::array<std::
   for (int i = 0; i < count; ++i) {
     const auto v = read.at(first + i);
     double sum = 0;
-    for_each_axis<Dim>(
-        [&](auto d) RECOIL_INLINE { sum += working_along<Dim, d>(v, read.slope(read.primitive, first + i, step[d])); });
+    for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
+      sum += working_along<Dim, d>(v, read.slope(read.primitive, first + i, step[d]));
+    });
     working[i] = sum;
   }
 }
@@ -272,7 +187,7 @@ RECOIL_MULTIVERSION void cross_row(const Reader& read, const double* loading, st
 
 /// The changes of half a step by the widening of rings, which stand beside those by each axis too.
 void find_ring_change(double g, double half, Work<2>& w) {
-  const Reader<2, false> read{w.primitive, w.impedance, nullptr, nullptr, w.wide, 0.5 / w.grid.dx, g};
+  const WindowReader<2, false> read{w.primitive, w.impedance, nullptr, nullptr, w.wide, 0.5 / w.grid.dx, g};
   for_each_row(w, w.cells.grown(reach_across), [&](const Index<2>& r, std::ptrdiff_t first, int width) {
     for (int i = 0; i < width; ++i) {
       const std::ptrdiff_t k = first + i;
@@ -368,14 +283,16 @@ void find_across(double shear_modulus, Work<Dim>& w, Scratch& scratch) {
     const double* across = w.ahead.leaning[Axis == 0 ? 1 : 0];
     if constexpr (Dim == 3) across = sum_of_others<Axis>(w, scratch.take<double>(n));
     with_reader(w, shear_modulus, [&](const auto& read) {
-      for_each_row(w, grown_along(w, Axis, reach_along), [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
-        cross_row<Dim, Axis>(read, w.ahead.loading, w.window.stride(Axis), first, width, 0.5 * w.ahead.dt,
-                             across, both);
-        clear_behind(w, first + width, both);
-        if (!w.failed) return;
-        for (std::ptrdiff_t k = first; k < first + width; ++k)
-          for (std::size_t c = 0; w.failed[k] == with_void && c < primitives; ++c) both[c * w.wide + k] = 0;
-      });
+      for_each_row(w, grown_along(w, Axis, reach_along),
+                   [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
+                     cross_row<Dim, Axis>(read, w.ahead.loading, w.window.stride(Axis), first, width,
+                                          0.5 * w.ahead.dt, across, both);
+                     clear_behind(w, first + width, both);
+                     if (!w.failed) return;
+                     for (std::ptrdiff_t k = first; k < first + width; ++k)
+                       for (std::size_t c = 0; w.failed[k] == with_void && c < primitives; ++c)
+                         both[c * w.wide + k] = 0;
+                   });
     });
     w.ahead.across = both;
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/half_step.hpp"
+#include "dynamics/half_step/half_step.hpp"
 #include "dynamics/stress_invariants.hpp"
 #include "state/body.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "core/multiversion.hpp"
 #include "dynamics/face_values.hpp"
-#include "dynamics/half_step.hpp"
+#include "dynamics/half_step/half_step.hpp"
 #include "dynamics/plastic_return.hpp"
 
 /// The values of cells at their faces in the middle of a step of one stage (theory: one stage a step).
