@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <variant>
 
 #include "config/geometry.hpp"
@@ -19,6 +20,9 @@ using config::Case;
 using config::endless;
 using config::Extent;
 using config::Geometry;
+
+/// What detonates is not in the state of rest that a prediction starts from.
+bool is_lit(const Body& body) { return !body.detonation.points.empty(); }
 
 /// Whether two bodies lie side by side over some width across `axis`.
 bool beside(const Extent& a, const Extent& b, std::size_t axis, int dim) {
@@ -135,10 +139,16 @@ void predict_parting(PlatePrediction& p, const Impact& impact, const Material& f
   const bool stays = p.flyer_rigid || (!p.target_rigid && impact.flyer.stress > 0 &&
                                        impact.flyer.stress / impact.flyer.velocity >
                                            impact.target.stress / impact.target.velocity * (1 + 1e-9));
-  if (leaves || !stays) {
+  if (leaves) {
     if (!p.pair.flyer_rear_free) return;
-    p.parting = leaves ? Parting::by_flyer_release : Parting::neutral;
+    p.parting = Parting::by_flyer_release;
     p.opens = p.contact + whole_release(impact.flyer, flyer, p.pair.flyer_thickness);
+  } else if (!stays) {  // whichever rear unloads it first
+    for (const auto& [is_free, shock, material, thickness] :
+         {std::tuple(p.pair.flyer_rear_free, &impact.flyer, &flyer, p.pair.flyer_thickness),
+          std::tuple(p.pair.target_rear_free, &impact.target, &target, p.pair.target_thickness)})
+      if (is_free) p.opens = std::min(p.opens, p.contact + whole_release(*shock, *material, thickness));
+    if (std::isfinite(p.opens)) p.parting = Parting::neutral;
   } else if (p.pair.target_rear_free && !p.target_rigid) {
     // Little stress is left by then: already the elastic head of the release opens the contact, and it runs
     // back through matter that is nearly at rest density.
@@ -249,7 +259,7 @@ std::vector<PlatePair> find_plate_pairs(const Case& c) {
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = 0; b < all.size(); ++b)
       for (std::size_t axis = 0; a != b && axis < dim; ++axis)
-        if (!(c.bodies[a].rigid && c.bodies[b].rigid))
+        if (!(c.bodies[a].rigid && c.bodies[b].rigid) && !is_lit(c.bodies[a]) && !is_lit(c.bodies[b]))
           if (const auto pair = pair_along(c, all, a, b, axis)) pairs.push_back(*pair);
   return pairs;
 }
@@ -318,6 +328,7 @@ std::vector<TouchPrediction> predict_touches(const Case& c, const std::vector<Ma
     });
     const bool first_rigid = c.bodies[a.first].rigid, second_rigid = c.bodies[a.second].rigid;
     if (is_plates || a.time > c.time.end || (first_rigid && second_rigid)) continue;
+    if (is_lit(c.bodies[a.first]) || is_lit(c.bodies[a.second])) continue;
     PlatePrediction pair;
     pair.pair.closing = a.closing;
     pair.flyer_rigid = first_rigid;

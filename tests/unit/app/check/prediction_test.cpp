@@ -49,6 +49,21 @@ TEST(Prediction, AluminiumOnCopper) {
   EXPECT_NEAR(p.flyer_rear_after, -174.6, 7);
 }
 
+// Of equal materials: the release that comes first, from the thinner plate, opens, whichever of the two
+// flies.
+TEST(Prediction, EqualPlatesPartByTheThinnerOne) {
+  const auto opens = [](const std::string& flyer, const std::string& target) {
+    return predicted(cases + "contact_equal_plates",
+                     {"body.flyer.shape.x=" + flyer, "body.target.shape.x=" + target});
+  };
+  const PlatePrediction thin_flyer = opens("[\"-2 mm\", \"0 mm\"]", "[\"0 mm\", \"9 mm\"]");
+  const PlatePrediction thin_target = opens("[\"-9 mm\", \"0 mm\"]", "[\"0 mm\", \"2 mm\"]");
+  EXPECT_EQ(thin_flyer.parting, Parting::neutral);
+  EXPECT_EQ(thin_target.parting, Parting::neutral);
+  EXPECT_NEAR(thin_flyer.opens, thin_target.opens, 1e-3 * thin_flyer.opens);
+  EXPECT_NEAR(thin_flyer.opens, 2 * 2e-3 / 5000, 0.01 * thin_flyer.opens);
+}
+
 TEST(Prediction, BondedPlatesNeverOpen) {
   const PlatePrediction p = predicted(cases + "flyer_bonded");
   EXPECT_NEAR(p.stress, 5.0838e9, 1e6);
