@@ -13,6 +13,7 @@
 
 #include "config/units.hpp"
 #include "core/closest.hpp"
+#include "core/error.hpp"
 
 namespace recoil::config {
 
@@ -48,10 +49,19 @@ Named named_in(const std::string& quantity, const std::string& gauge) {
 /// An empty name is that of pure numbers.
 std::string dimension_of(const std::string& unit) { return dimension_name(unit == "1" ? "" : unit); }
 
+bool is_known(const std::string& unit) {
+  try {
+    dimension_of(unit);
+    return true;
+  } catch (const InputError&) {
+    return false;  // which has been told where the value was read
+  }
+}
+
 void check_unit(const Expectation& e, const Column& column, Diagnostics& out) {
   if (e.is_flag || std::ranges::find(sums, std::string_view(column.unit)) != sums.end()) return;
   const bool nothing = e.unit.empty() && e.value == 0;
-  if (nothing || dimension_of(e.unit) == dimension_of(column.unit)) return;
+  if (nothing || !is_known(e.unit) || dimension_of(e.unit) == dimension_of(column.unit)) return;
   const std::string given = e.unit.empty() ? "a bare number" : fmt::format("of [{}]", dimension_of(e.unit));
   const bool plain = std::string_view(column.unit) == "1";
   out.error(e.place,
