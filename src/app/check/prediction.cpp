@@ -143,6 +143,10 @@ void predict_parting(PlatePrediction& p, const Impact& impact, const Material& f
     if (!p.pair.flyer_rear_free) return;
     p.parting = Parting::by_flyer_release;
     p.opens = p.contact + whole_release(impact.flyer, flyer, p.pair.flyer_thickness);
+    // The target's own release has taken part of the stress by then, and less of the flyer's opens the
+    // contact.
+    p.opens_is_bound = p.pair.target_rear_free && !p.target_rigid &&
+                       p.contact + head_of_release(impact.target, target, p.pair.target_thickness) < p.opens;
   } else if (!stays) {  // whichever rear unloads it first
     for (const auto& [is_free, shock, material, thickness] :
          {std::tuple(p.pair.flyer_rear_free, &impact.flyer, &flyer, p.pair.flyer_thickness),
@@ -230,9 +234,11 @@ std::string parting_line(const PlatePrediction& p, const std::string& flyer) {
   switch (p.parting) {
     case Parting::by_flyer_release:
       return fmt::format(
-          "  opens about {:.3g} us: the release from the rear of '{}' pulls, its rear goes on at {:.4g} "
-          "m/s\n",
-          p.opens * 1e6, flyer, p.flyer_rear_after);
+          "  opens {} {:.3g} us: the release from the rear of '{}' pulls, its rear goes on at {:.4g} "
+          "m/s{}\n",
+          p.opens_is_bound ? "before" : "about", p.opens * 1e6, flyer, p.flyer_rear_after,
+          p.opens_is_bound ? "; the release from the rear of the target has taken part of the stress by then"
+                           : "");
     case Parting::by_target_release:
       return fmt::format(
           "  stays in contact until the release from the rear of the target comes, about {:.3g} us\n",
