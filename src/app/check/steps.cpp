@@ -22,7 +22,7 @@ void check_steps(LoadedCase& loaded) {
   const double crossing = c.mesh.finest / fastest;
   const double step = c.time.fixed_dt.value_or(c.time.cfl * crossing);
   if (step > largest_stable * crossing)
-    loaded.found.error(
+    loaded.found.warning(
         place_of(loaded, "time.fixed-dt", {c.file}),
         fmt::format("a step of {:.4g} ns is unstable: the fastest wave crosses a cell in {:.3g} ns",
                     step * 1e9, crossing * 1e9),
