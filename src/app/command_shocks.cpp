@@ -103,11 +103,28 @@ int print_hugoniot(const HugoniotOptions& o) {
   return save(std::move(chart), o.file);
 }
 
+namespace {
+
+/// @throws InputError beyond what the equations of state reach: the speed is what the user can change.
+Impact impact_at(const Material& flyer, const Material& target, double speed) {
+  try {
+    return match_impact(flyer, target, speed);
+  } catch (const PhysicsError&) {
+    throw InputError(
+        fmt::format("no shock state at {:.4g} m/s\n   = help: the equation of state of {} ends at a velocity "
+                    "of the matter "
+                    "of {:.4g} m/s, that of {} at {:.4g} m/s: lower --speed; is its unit right?",
+                    speed, flyer.name, largest_velocity(flyer), target.name, largest_velocity(target)));
+  }
+}
+
+}  // namespace
+
 int match_materials(const MatchOptions& o) {
   const Material flyer = named_material(o.flyer), target = named_material(o.target);
   const double speed = quantity_option(o.speed, "m/s", "--speed");
   if (!(speed > 0)) throw InputError(fmt::format("--speed must be above 0, not {}", o.speed));
-  const Impact impact = match_impact(flyer, target, speed);
+  const Impact impact = impact_at(flyer, target, speed);
   fmt::print("{} at {:.6g} m/s on {} at rest\n", flyer.name, speed, target.name);
   fmt::print("  interface {:.5g} m/s, {:.4g} GPa\n", impact.velocity, impact.stress * 1e-9);
   print_state("flyer", flyer, impact.flyer);

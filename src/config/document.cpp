@@ -256,7 +256,9 @@ Document parse_document(std::string text, std::string name, Diagnostics& out) {
       if (e.description().find("cannot redefine existing ") != std::string_view::npos)
         report_repeated(doc.text, e.description(), place, out);
       else
-        out.error(place, syntax_message(e.description()));
+        out.error(
+            place, syntax_message(e.description()),
+            "a line is [table] or key = value; texts stand in quotes, what is opened is closed in its line");
       doc.complete = false;
       return doc;
     }

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "config/declare/read_struct.hpp"
+#include "config/expected_columns.hpp"
 #include "config/overrides.hpp"
 #include "core/closest.hpp"
 
@@ -76,11 +77,14 @@ void check_expected_names(const std::vector<Expectation>& expect, const std::vec
       read_pair(name, e.place, in.bodies, out);
     } else if (first == "body" && name != "total") {
       check_body(name, e.place, in);
-    } else if (first == "gauge" &&
-               std::find(gauge_names.begin(), gauge_names.end(), name) == gauge_names.end()) {
+    } else if (first == "gauge") {
+      const auto gauge = std::ranges::find(gauges, name, &Gauge::name);
       const std::string near = did_you_mean(name, gauge_names);
-      out.error(e.place, fmt::format("there is no gauge '{}'", name),
-                !near.empty() ? near : "write a [gauge." + name + "]");
+      if (gauge != gauges.end())
+        check_expected_column(e, *gauge, out);
+      else
+        out.error(e.place, fmt::format("there is no gauge '{}'", name),
+                  !near.empty() ? near : "write a [gauge." + name + "]");
     }
   }
 }

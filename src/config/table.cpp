@@ -31,6 +31,13 @@ std::string help_for(const Key& key) {
                              : key.name + " = " + key.example + (key.doc.empty() ? "" : ": " + key.doc);
 }
 
+/// How a key is written whose value is one quantity; examples of pairs and vectors show more than that.
+std::string help_for_quantity(const std::string& name, const std::string& unit, const std::string& example) {
+  if (!example.empty() && example.find_first_of("[{") == std::string::npos)
+    return fmt::format("write {} = {}", name, example);
+  return dimensionless(unit) ? "write a number" : parse_quantity("", unit, name).help;
+}
+
 }  // namespace
 
 void report_missing(const Node& table, const Key& key, const Owner& owner, Diagnostics& out) {
@@ -43,7 +50,7 @@ double read_quantity(const Node& node, const std::string& name, const std::strin
                      const std::string& example) {
   if (node.is_number() && !std::isfinite(node.number)) {
     out.error(node.place, fmt::format("'{}' must be finite, but is {}", name, node.text),
-              example.empty() ? std::string("write a number") : fmt::format("write {} = {}", name, example));
+              help_for_quantity(name, unit, example));
     return 0;
   }
   if (node.is_number() && dimensionless(unit)) return node.number;
@@ -57,7 +64,7 @@ double read_quantity(const Node& node, const std::string& name, const std::strin
     const std::string what =
         dimensionless(unit) ? "a number" : "a quantity of [" + dimension_name(unit) + "]";
     out.error(node.place, fmt::format("'{}' needs {}, but is {}", name, what, describe(node)),
-              example.empty() ? std::string() : fmt::format("write {} = {}", name, example));
+              help_for_quantity(name, unit, example));
     return 0;
   }
   const Quantity q = parse_quantity(node.text, unit, name);

@@ -26,7 +26,8 @@ constexpr double least_averaged = 0.1, thinnest_averaged = 0.4, densest_averaged
 constexpr double thinnest_used = 0.4;  // likewise: a fragment below it is of no use to fits and stencils ...
 constexpr double thinnest_failed = 1e-3;  // ... unless it has failed (of rho0): then most of it may be void
 constexpr double near_front =
-    1.5;  // [cells] from a surface of gas, where it may soon run at its escape speed
+    1.5;                          // [cells] from a surface of gas, where it may soon run at its escape speed
+constexpr double near_rigid = 3;  // [cells] from a rigid body, which may soon carry matter along
 
 template <int Dim>
 std::vector<double> point_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
@@ -141,7 +142,7 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
         throw StateError(
             body.name, point_of(state, slot, i - cells.lo),
             "the density of " + body.name + " is not a number at " + place_of(state, slot, i - cells.lo));
-      ++counters.averages_kept;  // of the stage before
+      if (volume > least_averaged * grid.full_volume(i)) ++counters.averages_kept;  // of the stage before
     });
     flush();
   }
@@ -196,6 +197,22 @@ double gas_surface_speed(const BodyBlock<Dim>& b) {
   return 2 * std::sqrt(most2);
 }
 
+/// The speed, sum over axes [m/s], to which a rigid body sweeps matter at x as soon as it touches it.
+template <int Dim>
+double swept_speed(const State<Dim>& state, const Vec<Dim>& x) {
+  double fastest = 0;
+  for (const Body<Dim>& body : state.bodies) {
+    if (!body.rigid || never_moves(*body.rigid)) continue;
+    const RigidPose<Dim> now{body.rigid->centre, body.rigid->turn};
+    if (distance_at(*body.rigid, now, x) > near_rigid * state.grid().dx) continue;
+    const Vec<Dim> u = velocity_at(*body.rigid, x);
+    double sum = 0;
+    for (int d = 0; d < Dim; ++d) sum += std::abs(u[d]);
+    fastest = std::max(fastest, sum);
+  }
+  return fastest;
+}
+
 template <int Dim>
 double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, double sound,
                       Counters& counters) {
@@ -210,6 +227,8 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
     for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.average[c * n + k];
     return shear_modulus_of(body, w);
   };
+  const bool beside_rigid = std::ranges::any_of(
+      state.bodies, [](const Body<Dim>& other) { return other.rigid && !never_moves(*other.rigid); });
   const Grid<Dim>& grid = state.grid(slot);
   double fastest = 0;
   std::visit(
@@ -226,6 +245,8 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
           if (!std::isfinite(sum + c2) || !(rho > 0) || !(dust || matter.admissible(rho)))
             refuse_state(state, body, slot, i - state.mesh.block(slot).cells.lo, rho, p);
           if (c2 < least) ++counters.floored_sound_speeds;
+          if (beside_rigid && b.phi[k] > -near_rigid * grid.dx)
+            sum = std::max(sum, swept_speed(state, grid.centre(i)));
           const double shear = follows ? modulus_in(k) : g;
           const double still = sum;
           sum += sound * std::sqrt((c2 > least ? c2 : least) + 4 * shear / (3 * rho));

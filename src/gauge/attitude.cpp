@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace recoil {
 
@@ -34,6 +35,47 @@ void for_each_fragment(const State<Dim>& state, int m, F&& f) {
         Plane{b.contents[C::u * n + k], b.contents[(C::u + (Dim > 1 ? 1 : 0)) * n + k]});
     });
   }
+}
+
+/// Brings the places of a body that reaches across a periodic edge to one side of it, about a middle.
+struct Unfolding {
+  Plane period{}, middle{};  // m; a period of 0: the axis is not periodic
+
+  double unfolded(double at, std::size_t d) const {
+    return period[d] > 0 ? at - period[d] * std::round((at - middle[d]) / period[d]) : at;
+  }
+  Plane operator()(const Plane& r) const { return {unfolded(r[0], 0), unfolded(r[1], 1)}; }
+};
+
+template <int Dim>
+Unfolding about(const State<Dim>& state, const Plane& middle) {
+  Unfolding u{{}, middle};
+  const Grid<Dim>& grid = state.grid();
+  for (int d = 0; d < std::min(Dim, 2); ++d)
+    if (grid.periodic(d)) u.period[static_cast<std::size_t>(d)] = grid.cells[d] * grid.dx;
+  return u;
+}
+
+/// The middle of a body along periodic axes, by the mean direction on the circle that such an axis is.
+/// Collective where there is one.
+template <int Dim>
+Unfolding about_its_middle(const State<Dim>& state, int body, const parallel::World& world) {
+  Unfolding u = about(state, {});
+  if (u.period == Plane{}) return u;
+  ExactSums sums;
+  const int item = sums.item(4);
+  const SumRow row = sums.add(item);
+  for_each_fragment(state, body, [&](double m, const Plane& r, const Plane&) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double turn = u.period[d] > 0 ? 2 * std::numbers::pi * r[d] / u.period[d] : 0;
+      row[2 * d] += m * std::cos(turn), row[2 * d + 1] += m * std::sin(turn);
+    }
+  });
+  sums.reduce(world);
+  const auto total = sums.total(item);
+  for (std::size_t d = 0; d < 2; ++d)
+    u.middle[d] = u.period[d] * std::atan2(total[2 * d + 1], total[2 * d]) / (2 * std::numbers::pi);
+  return u;
 }
 
 void add_part(std::span<ExactSum> to, double m, const Plane& r) {
@@ -82,10 +124,12 @@ AttitudeFrame frame_of(std::span<const double> s) {
 
 template <int Dim>
 AttitudeFrame find_frame(const State<Dim>& state, int body, const parallel::World& world) {
+  const Unfolding unfold = about_its_middle(state, body, world);
   ExactSums sums;
   const int item = sums.item(whole_sums);
   const SumRow row = sums.add(item);
-  for_each_fragment(state, body, [&](double m, const Plane& r, const Plane& p) {
+  for_each_fragment(state, body, [&](double m, const Plane& at, const Plane& p) {
+    const Plane r = unfold(at);
     add_part(row.sums, m, r);
     row[px] += p[0], row[py] += p[1];
     row[turning] += r[0] * p[1] - r[1] * p[0];
@@ -97,8 +141,9 @@ AttitudeFrame find_frame(const State<Dim>& state, int body, const parallel::Worl
 template <int Dim>
 void collect_attitude(const State<Dim>& state, int body, const AttitudeFrame& f, int item, ExactSums& sums) {
   const SumRow row = sums.add(item);
-  for_each_fragment(state, body, [&](double m, const Plane& at, const Plane& p) {
-    const Plane r{at[0] - f.centre[0], at[1] - f.centre[1]};
+  const Unfolding unfold = about(state, f.centre);
+  for_each_fragment(state, body, [&](double m, const Plane& place, const Plane& p) {
+    const Plane at = unfold(place), r{at[0] - f.centre[0], at[1] - f.centre[1]};
     const double ahead = r[0] * f.axis[0] + r[1] * f.axis[1];
     // A fragment counts by its part beyond the cut, so that nothing jumps when it passes.
     const auto beyond = [&](double from) {

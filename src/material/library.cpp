@@ -117,6 +117,14 @@ void read_model(const Node& table, const char* doc, Variant& into, Diagnostics& 
   });
 }
 
+/// Whether a material has, for itself or its solid, an equation of state in a table.
+bool has_table_of_states(const Node& material) {
+  const Node* eos = material.find("eos");
+  const Node* solid = eos ? eos->find("solid") : nullptr;
+  const Node* kind = solid ? solid->find("kind") : eos ? eos->find("kind") : nullptr;
+  return kind && kind->text == "tabular";
+}
+
 Thermal read_thermal(const Node& table, bool tabular, Diagnostics& out) {
   std::vector<Key> keys = thermal_keys();
   for (Key& key : keys) key.required = key.required && !tabular;
@@ -324,7 +332,9 @@ std::filesystem::path material_file(const std::string& name, const MaterialFolde
 
 std::optional<Material> read_material(const std::string& name, const Node& table, Diagnostics& out) {
   const int errors = out.error_count();
-  const std::vector<Key> keys = top_keys(false);
+  std::vector<Key> keys = top_keys(false);
+  if (has_table_of_states(table))  // which knows the specific heat
+    std::ranges::find(keys, "thermal", &Key::name)->required = false;
   const Record record = read_record(table, keys, out);
   Material material;
   material.name = name;
@@ -334,8 +344,11 @@ std::optional<Material> read_material(const std::string& name, const Node& table
   if (record.good("eos")) read_model(*record.node("eos"), eos_doc, material.eos, out);
   if (record.good("strength")) read_model(*record.node("strength"), strength_doc, material.strength, out);
   Tabular* table_of_states = tabular(material.eos);
-  if (record.good("thermal"))
-    material.thermal = read_thermal(*record.node("thermal"), table_of_states != nullptr, out);
+  Node nothing;
+  nothing.kind = Node::Kind::table;
+  if (record.good("thermal") || table_of_states)
+    material.thermal = read_thermal(record.good("thermal") ? *record.node("thermal") : nothing,
+                                    table_of_states != nullptr, out);
   if (table_of_states && out.error_count() == errors) {
     const Node* eos = record.node("eos");
     if (const Node* solid = eos->find("solid")) eos = solid;

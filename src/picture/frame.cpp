@@ -96,7 +96,8 @@ void draw_heading(Canvas& canvas, const PixelRect& area, const std::string& titl
   const double room = area.x1 - area.x0 - (note.empty() ? 0 : text_width(note, note_size) + 24);
   double size = kPictureStyle.title;  // a long title becomes smaller before it leaves the picture
   size = std::max(12.0, std::min(size, size * room / std::max(1.0, text_width(title, size, true))));
-  draw_text(canvas, {area.x0, y}, title, {.size = size, .colour = kPictureStyle.ink, .bold = true});
+  const std::string fitting = shortened_text(title, room, size, true);
+  draw_text(canvas, {area.x0, y}, fitting, {.size = size, .colour = kPictureStyle.ink, .bold = true});
   draw_text(canvas, {area.x1, y}, note,
             {.size = note_size, .colour = kPictureStyle.soft_ink, .horizontal = HorizontalAnchor::right});
 }

@@ -131,4 +131,18 @@ void draw_text(Canvas& canvas, Point2 at, std::string_view text, const TextStyle
   cairo_restore(pen);
 }
 
+std::string shortened_text(std::string_view text, double room, double size, bool bold) {
+  if (text_width(text, size, bold) <= room) return std::string(text);
+  const auto inside_character = [&](std::size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  };
+  std::string shorter;
+  for (std::size_t length = text.size(); length > 0; --length) {
+    if (length < text.size() && inside_character(length)) continue;
+    shorter = std::string(text.substr(0, text.find_last_not_of(" ,;:", length - 1) + 1)) + "\u2026";
+    if (text_width(shorter, size, bold) <= room) return shorter;
+  }
+  return shorter;
+}
+
 }  // namespace recoil

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "picture/canvas.hpp"
@@ -28,5 +29,8 @@ void draw_text(Canvas& canvas, Point2 at, std::string_view text, const TextStyle
 
 /// Width of that text [pixels].
 double text_width(std::string_view text, double size, bool bold = false);
+
+/// The text, or as much of its beginning as is no wider than `room` [pixels], and an ellipsis.
+std::string shortened_text(std::string_view text, double room, double size, bool bold = false);
 
 }  // namespace recoil

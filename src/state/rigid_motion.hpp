@@ -49,6 +49,12 @@ struct RigidMotion {
   std::optional<VelocityHistory<Dim>> history{};  // none: keeps its velocity
 };
 
+/// Whether nothing will ever move it.
+template <int Dim>
+bool never_moves(const RigidMotion<Dim>& motion) {
+  return !motion.mass && !motion.history && motion.velocity == Vec<Dim>{} && motion.spin == Vec<3>{};
+}
+
 /// Where a rigid body is at one time.
 template <int Dim>
 struct RigidPose {

@@ -42,11 +42,6 @@ double largest(const std::vector<double>& values) {
 }
 
 template <int Dim>
-bool never_moves(const RigidMotion<Dim>& motion) {
-  return !motion.mass && !motion.history && motion.velocity == Vec<Dim>{} && motion.spin == Vec<3>{};
-}
-
-template <int Dim>
 void place_rigid_bodies(StepRun<Dim>& step, double ahead, PhiAt where) {
   State<Dim>& state = step.state();
   if (std::ranges::none_of(state.bodies, [](const Body<Dim>& body) { return body.rigid.has_value(); }))

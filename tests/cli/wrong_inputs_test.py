@@ -123,6 +123,22 @@ ERRORS = [
     ([USES_MINE, '\n[material.mine]\nbase = "mine"\n'], "material 'mine' is its own base", 23, 8, "recoil material list"),
     ([USES_MINE, MINE % ("damage", 'kind = "tensil"')], "'tensil' is not a valid 'kind'", 25, 8, "did you mean 'tensile'?"),
     ([USES_MINE, MINE % ("thermal", 'heat-capacity = "383 J/kg"')], "unknown key 'heat-capacity'", 25, 1, "specific-heat"),
+    ([('"aluminium/6061-t6"', '""')], "the material has no name", 11, 12, "material list"),
+    (['[expect]\n"gauge.rear.velocity.max" = { value = "1 us", within = "1 %" }'],
+     "'gauge.rear.velocity.max' is of [velocity], but the expected value is of [time]", 22, 1, "give it in m/s"),
+    (['[expect]\n"gauge.rear.velosity.max" = { at-least = "1 m/s" }'], "gauge 'rear' has no column 'velosity'", 22, 1,
+     "did you mean 'velocity'?"),
+    (['[expect]\n"gauge.rear.velocity" = { at-least = "1 m/s" }'], "does not say which value of the record", 22, 1, ".max"),
+    (['[expect]\n"gauge.rear.velocity.max" = { value = nan, within = "1 %" }'], "needs a number or a quantity", 22, 39, "0.695 us"),
+    ([('"450 m/s"', '["450 m/s"]')], "'x' needs a quantity of [velocity], but is a list", 13, 18, 'e.g. "450 m/s"'),
+    ([("[mesh]", "[mesh")], "this is no TOML", 6, 6, "[table] or key = value"),
+    ([('["-4 mm", "18 mm"]', '["-4 mm", "18 mm"]\nboundary = { x = ["outflow", "outflow", "outflow"] }')],
+     "'x' needs one kind of boundary or two", 6, 18, '["symmetry", "outflow"]'),
+    (['[contact.pairs]\nflyer-target = { mode = "bonded" }\ntarget-flyer = { mode = "separable" }'],
+     "the pair 'target-flyer' is given twice", 23, 1, "leave one of them out"),
+    ([('material = "aluminium/6061-t6"', "rigid = true"), ('material = "copper/ofhc-johnson-cook"', "rigid = true"),
+      ('[gauge.rear]\nkind = "surface-velocity"\nbody = "target"\nat = { x = "15 mm" }\n', "")],
+     "all bodies are rigid", 10, 7, "give one of them a material"),
     # A material of two bodies: its mistake once.
     ([USES_MINE, ('"aluminium/6061-t6"', '"mine"'), MINE % ("strength", 'a = "90 Gpa"')], "unknown unit 'Gpa'", 25, 5,
      "did you mean 'GPa'?"),
@@ -150,6 +166,17 @@ WARNINGS = [
               ' { kind = "box", x = ["-3 mm", "-2 mm"], y = ["1.5 mm", "2.1 mm"] }] }')],
      "'ball' is 3 cells thick", 12, "finest ="),
     (FLYER, [('"copper/ofhc-johnson-cook"', '"explosive-products/tnt"')], "'target' is an explosive that nothing lights", 14, "detonation ="),
+    (FLYER, [('"copper/ofhc-johnson-cook"', '"explosive-products/tnt"'),
+             ("[gauge.rear]", 'detonation = { points = [{ x = "17 mm" }] }\n[gauge.rear]')],
+     "'target' is lit at a point 2 mm outside of it", 17, "move the point"),
+    (FLYER, [('"copper/ofhc-johnson-cook"', '"explosive-products/tnt"'),
+             ("[gauge.rear]", 'detonation = { points = [{ x = "1 mm" }], time = "7 us" }\n[gauge.rear]')],
+     "'target' is lit at 7 us, but the run ends at 6 us", 17, "light it earlier"),
+    (FLYER, [after_end('fixed-dt = "1 us"')], "a step of 1000 ns is unstable", 10, "at most 'fixed-dt' = "),
+    (FLYER, [('"6 us"', '"1 year"')], "the run would take", 9, "is the unit right?"),
+    (FLYER, ['[body.one]\nrigid = true\nshape = { kind = "box", x = ["15.5 mm", "16 mm"] }\nvelocity = { x = "1 km/s" }\n',
+             '[body.two]\nrigid = true\nshape = { kind = "box", x = ["16.5 mm", "17 mm"] }\n'],
+     "the rigid bodies 'one' and 'two' meet at 0.5 us", 24, "only bodies with a material push others"),
 ]
 
 # Words behind `run CASE`, and what is said of them.
@@ -227,6 +254,46 @@ class WrongInputs(unittest.TestCase):
             self.assertEqual(code, 0, said)
             self.assertNotIn("error:", said)
             self.assertNotRegex(said, "apart|cut off|doubt|implausible")
+
+    def test_shapes_that_are_none(self):
+        disc = '{ kind = "disc", radius = "2 mm", centre = { x = "-2.5 mm", y = "0 mm" } }'
+        for shape, message, cure in (
+                ('{ kind = "polygon", vertices = [["-3 mm", "0 mm"], ["-1 mm", "2 mm"], ["-1 mm", "0 mm"], ["-3 mm", "2 mm"]] }',
+                 "the edges from corner 1 and from corner 3 cross", "along the outline"),
+                ('{ kind = "polygon", vertices = [["-3 mm", "0 mm"], ["-2 mm", "0 mm"], ["-1 mm", "0 mm"]] }',
+                 "the corners lie on one line", "an area"),
+                ('{ kind = "lattice", shape = %s, count = { y = 0 }, pitch = { y = "3 mm" } }' % disc, "0 is no number of copies",
+                 "count = { x = 3 }"),
+                ('{ kind = "union", parts = [] }', "'parts' needs a list of at least 1 shapes", 'kind = "box"')):
+            self.write(PLANE, [(disc, shape)])
+            code, said = self.recoil("check", self.file)
+            self.assertEqual(code, 2, said)
+            self.assertIn(message, said)
+            self.assertIn(cure, said[said.index("= help:"):])
+            self.assertRegex(said, r"--> \S+:12:\d+\n")
+
+    def test_gauges_that_measure_matter_of_rigid_bodies(self):
+        """One of kind "peak-stress" crashed; the others recorded nothing."""
+        rigid = [('material = "copper/ofhc-johnson-cook"', "rigid = true")]
+        for kind, more in (("surface-velocity", ""), ("point", ""), ("pullback", ""), ("peak-stress", 'to = { x = "1 mm" }\n')):
+            self.write(FLYER, [*rigid, ('"surface-velocity"', f'"{kind}"'), more])
+            code, said = self.recoil("run", self.file, "-o", self.folder / "out")
+            self.assertEqual(code, 2, said)
+            self.assertIn("gauge 'rear' measures matter, but 'target' is a rigid body", said)
+            self.assertRegex(said, r"--> \S+:19:8\n")
+            self.assert_nothing_written()
+
+    def test_more_bodies_than_are_possible(self):
+        self.write(FLYER, [f'[body.b{k}]\nrigid = true\nshape = {{ kind = "box", x = ["{15.1 + 0.05 * k:.3f} mm", "{15.13 + 0.05 * k:.3f} mm"] }}\n'
+                           for k in range(31)])
+        code, said = self.recoil("check", self.file)
+        self.assertEqual(code, 2, said)
+        self.assertIn("33 bodies, at most 32 are possible", said)
+
+    def test_a_match_beyond_the_equations_of_state(self):
+        code, said = self.recoil("material", "match", "copper/seed", "copper/seed", "--speed", "300km/s")
+        self.assertEqual(code, 2, said)
+        self.assertIn("= help:", said)
 
     def test_empty_files(self):
         for text in ("", "\n  \n"):

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "config/geometry.hpp"
 #include "problem/overlaps.hpp"
 #include "problem/shape.hpp"
+#include "state/body.hpp"
 
 namespace recoil::app {
 
@@ -92,11 +94,22 @@ void check_place(const Gauge& g, const Kind& kind, LoadedCase& loaded) {
   }
 }
 
+/// A rigid body has a place and a velocity, but no state of matter.
+void check_is_matter(const Gauge& g, const std::string& name, LoadedCase& loaded) {
+  for (const Body& body : loaded.contents.bodies)
+    if (body.name == name && body.rigid)
+      loaded.found.error(place_of(loaded, "gauge." + g.name + ".body", g.place),
+                         fmt::format("gauge '{}' measures matter, but '{}' is a rigid body", g.name, name),
+                         "kind = \"body\" has its place and velocity, kind = \"contact\" the forces on it");
+}
+
 template <int Dim>
 void check_gauges(LoadedCase& loaded) {
   for (const Gauge& g : loaded.contents.gauges)
     std::visit(
-        [&](const auto& kind) {
+        [&]<class Kind>(const Kind& kind) {
+          if constexpr (requires { kind.body; } && !std::is_same_v<Kind, config::BodyGauge>)
+            check_is_matter(g, kind.body, loaded);
           if constexpr (requires { kind.on_surface; }) check_place<Dim>(g, kind, loaded);
         },
         g.kind);
@@ -130,9 +143,14 @@ config::Place place_of(const LoadedCase& loaded, const std::string& dotted, cons
 
 void check_logic(LoadedCase& loaded) {
   const Case& c = loaded.contents;
+  if (c.bodies.size() > most_bodies)
+    return loaded.found.error(c.bodies[most_bodies].place,
+                              fmt::format("{} bodies, at most {} are possible", c.bodies.size(), most_bodies),
+                              "bodies that never meet may be one: kind = \"union\" or \"lattice\"");
   check_size(loaded);
   if (loaded.too_large) return;  // all that follows looks at its cells
   if (loaded.found.has_errors()) return;
+  check_steps(loaded);
   check_levels(loaded);
   check_output(loaded);
   find_overlaps(c, loaded.found);

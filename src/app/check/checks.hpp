@@ -13,6 +13,9 @@ config::Place place_of(const LoadedCase& loaded, const std::string& dotted, cons
 /// A case with more cells than this machine has memory for is an error, and loaded.too_large.
 void check_size(LoadedCase& loaded);
 
+/// A fixed step beyond the stable one, and runs of more steps than anybody waits for.
+void check_steps(LoadedCase& loaded);
+
 /// Parts of the domain with the finest cells that lie outside of it, keys that mean nothing without levels.
 void check_levels(LoadedCase& loaded);
 

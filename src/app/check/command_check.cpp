@@ -129,6 +129,7 @@ Json prediction_json(const PlatePrediction& p, const config::Case& c) {
          {"interface_velocity", p.velocity},
          {"interface_stress", p.stress},
          {"opens", number(p.opens)},
+         {"opens_is_bound", p.opens_is_bound},
          {"opens_by", partings[static_cast<int>(p.parting)]},
          {"sides", number(p.sides)}};
   if (!p.flyer_rigid) j["flyer_shock"] = shock_json(p.flyer_shock);

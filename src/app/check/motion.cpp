@@ -11,6 +11,7 @@
 #include "app/approach.hpp"
 #include "app/check/checks.hpp"
 #include "config/geometry.hpp"
+#include "config/shape/slabs.hpp"
 #include "core/error.hpp"
 #include "material/hugoniot.hpp"
 
@@ -24,6 +25,17 @@ using config::Case;
 bool moves(const Body& b) {
   return b.velocity != config::Vector{} || b.spin != config::Vector{} || b.radial_velocity != 0 ||
          !b.velocity_history.empty() || !b.detonation.points.empty() || b.pressure.value_or(0) != 0;
+}
+
+double distance_of(const Body& b, const config::Vector& x, const config::Domain& domain) {
+  switch (config::dimension(domain.geometry)) {
+    case 1:
+      return config::distance_to(b.shape, config::first_components<1>(x), domain);
+    case 2:
+      return config::distance_to(b.shape, config::first_components<2>(x), domain);
+    default:
+      return config::distance_to(b.shape, config::first_components<3>(x), domain);
+  }
 }
 
 double speed_of(const Body& b) { return std::hypot(b.velocity[0], b.velocity[1], b.velocity[2]); }
@@ -69,6 +81,17 @@ void check_speed(LoadedCase& loaded, const Approach& p) {
       fmt::format("at most about {:.3g} km/s; is the unit right?", lo * 1e-3));
 }
 
+/// There is no contact between rigid bodies.
+void check_rigid_pair(LoadedCase& loaded, const Approach& p) {
+  const Body &a = loaded.contents.bodies[p.first], &b = loaded.contents.bodies[p.second];
+  if (!a.rigid || !b.rigid) return;
+  loaded.found.warning(
+      place_of_velocity(loaded, p),
+      fmt::format("the rigid bodies '{}' and '{}' meet at {:.4g} us: they will pass through each other",
+                  a.name, b.name, p.time * 1e6),
+      "only bodies with a material push others: give one of them a material, or end the run before");
+}
+
 /// Edges that bodies may come back from, or come in again.
 bool has_closed_edges(const config::Domain& domain) {
   for (int d = 0; d < config::dimension(domain.geometry); ++d)
@@ -95,6 +118,25 @@ void check_parting(LoadedCase& loaded, const std::vector<Approach>& all) {
   }
 }
 
+/// Points that light nothing, or only after the end of the run.
+void check_lighting(LoadedCase& loaded, const Body& b) {
+  const Case& c = loaded.contents;
+  const config::Place place = place_of(loaded, "body." + b.name + ".detonation", b.place);
+  if (b.detonation.time >= c.time.end)
+    loaded.found.warning(place,
+                         fmt::format("'{}' is lit at {:.4g} us, but the run ends at {:.4g} us", b.name,
+                                     b.detonation.time * 1e6, c.time.end * 1e6),
+                         "light it earlier, or let time.end be later");
+  for (const config::Vector& point : b.detonation.points) {
+    const double away = distance_of(b, point, c.domain);
+    if (away > c.mesh.finest)
+      loaded.found.warning(place,
+                           fmt::format("'{}' is lit at a point {:.4g} mm outside of it", b.name, away * 1e3),
+                           "the front runs from there all the same, and arrives accordingly later; move the "
+                           "point if it shall not");
+  }
+}
+
 /// Only explosives detonate, and only the conservative scheme knows how, or moves a body by its history.
 void check_drives(LoadedCase& loaded) {
   const Case& c = loaded.contents;
@@ -113,6 +155,7 @@ void check_drives(LoadedCase& loaded) {
                            fmt::format("'{}' is an explosive that nothing lights: it stays cold", b.name),
                            fmt::format("e.g. detonation = {{ points = [{{ {} = \"0 mm\" }}] }} in [{}]",
                                        config::axes_of(c.domain.geometry).front(), path));
+    if (lit && explosive) check_lighting(loaded, b);
     for (const auto& [key, given] :
          {std::pair("detonation", lit), std::pair("velocity-history", !b.velocity_history.empty())})
       if (given && c.method.scheme != "conservative")
@@ -127,6 +170,14 @@ void check_drives(LoadedCase& loaded) {
 void check_motion(LoadedCase& loaded) {
   check_drives(loaded);
   const Case& c = loaded.contents;
+  if (std::all_of(c.bodies.begin(), c.bodies.end(), [](const Body& b) { return b.rigid; })) {
+    loaded.found.error(
+        c.bodies.front().place, "all bodies are rigid: there is no matter to compute",
+        fmt::format("give one of them a material, e.g. material = \"copper/ofhc-johnson-cook\" "
+                    "in place of rigid = true in [body.{}]",
+                    c.bodies.front().name));
+    return;
+  }
   if (std::none_of(c.bodies.begin(), c.bodies.end(), moves)) {
     loaded.found.error(
         c.bodies.front().place,
@@ -137,7 +188,7 @@ void check_motion(LoadedCase& loaded) {
   }
   const std::vector<Approach> all = find_approaches(c);
   for (const Approach& p : first_meetings(all))
-    if (p.time < c.time.end) check_speed(loaded, p);
+    if (p.time < c.time.end) check_speed(loaded, p), check_rigid_pair(loaded, p);
   check_parting(loaded, all);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <variant>
 
 #include "config/geometry.hpp"
@@ -19,6 +20,9 @@ using config::Case;
 using config::endless;
 using config::Extent;
 using config::Geometry;
+
+/// What detonates is not in the state of rest that a prediction starts from.
+bool is_lit(const Body& body) { return !body.detonation.points.empty(); }
 
 /// Whether two bodies lie side by side over some width across `axis`.
 bool beside(const Extent& a, const Extent& b, std::size_t axis, int dim) {
@@ -135,10 +139,20 @@ void predict_parting(PlatePrediction& p, const Impact& impact, const Material& f
   const bool stays = p.flyer_rigid || (!p.target_rigid && impact.flyer.stress > 0 &&
                                        impact.flyer.stress / impact.flyer.velocity >
                                            impact.target.stress / impact.target.velocity * (1 + 1e-9));
-  if (leaves || !stays) {
+  if (leaves) {
     if (!p.pair.flyer_rear_free) return;
-    p.parting = leaves ? Parting::by_flyer_release : Parting::neutral;
+    p.parting = Parting::by_flyer_release;
     p.opens = p.contact + whole_release(impact.flyer, flyer, p.pair.flyer_thickness);
+    // The target's own release has taken part of the stress by then, and less of the flyer's opens the
+    // contact.
+    p.opens_is_bound = p.pair.target_rear_free && !p.target_rigid &&
+                       p.contact + head_of_release(impact.target, target, p.pair.target_thickness) < p.opens;
+  } else if (!stays) {  // whichever rear unloads it first
+    for (const auto& [is_free, shock, material, thickness] :
+         {std::tuple(p.pair.flyer_rear_free, &impact.flyer, &flyer, p.pair.flyer_thickness),
+          std::tuple(p.pair.target_rear_free, &impact.target, &target, p.pair.target_thickness)})
+      if (is_free) p.opens = std::min(p.opens, p.contact + whole_release(*shock, *material, thickness));
+    if (std::isfinite(p.opens)) p.parting = Parting::neutral;
   } else if (p.pair.target_rear_free && !p.target_rigid) {
     // Little stress is left by then: already the elastic head of the release opens the contact, and it runs
     // back through matter that is nearly at rest density.
@@ -220,9 +234,11 @@ std::string parting_line(const PlatePrediction& p, const std::string& flyer) {
   switch (p.parting) {
     case Parting::by_flyer_release:
       return fmt::format(
-          "  opens about {:.3g} us: the release from the rear of '{}' pulls, its rear goes on at {:.4g} "
-          "m/s\n",
-          p.opens * 1e6, flyer, p.flyer_rear_after);
+          "  opens {} {:.3g} us: the release from the rear of '{}' pulls, its rear goes on at {:.4g} "
+          "m/s{}\n",
+          p.opens_is_bound ? "before" : "about", p.opens * 1e6, flyer, p.flyer_rear_after,
+          p.opens_is_bound ? "; the release from the rear of the target has taken part of the stress by then"
+                           : "");
     case Parting::by_target_release:
       return fmt::format(
           "  stays in contact until the release from the rear of the target comes, about {:.3g} us\n",
@@ -249,7 +265,7 @@ std::vector<PlatePair> find_plate_pairs(const Case& c) {
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = 0; b < all.size(); ++b)
       for (std::size_t axis = 0; a != b && axis < dim; ++axis)
-        if (!(c.bodies[a].rigid && c.bodies[b].rigid))
+        if (!(c.bodies[a].rigid && c.bodies[b].rigid) && !is_lit(c.bodies[a]) && !is_lit(c.bodies[b]))
           if (const auto pair = pair_along(c, all, a, b, axis)) pairs.push_back(*pair);
   return pairs;
 }
@@ -318,6 +334,7 @@ std::vector<TouchPrediction> predict_touches(const Case& c, const std::vector<Ma
     });
     const bool first_rigid = c.bodies[a.first].rigid, second_rigid = c.bodies[a.second].rigid;
     if (is_plates || a.time > c.time.end || (first_rigid && second_rigid)) continue;
+    if (is_lit(c.bodies[a.first]) || is_lit(c.bodies[a.second])) continue;
     PlatePrediction pair;
     pair.pair.closing = a.closing;
     pair.flyer_rigid = first_rigid;

@@ -45,7 +45,8 @@ struct PlatePrediction {
   double stress = 0;    // Pa, compressive
   ShockState flyer_shock, target_shock;
   Parting parting = Parting::open;
-  double opens = 0;  // s; infinite where it does not, or where that is not known
+  double opens = 0;             // s; infinite where it does not, or where that is not known
+  bool opens_is_bound = false;  // the release from the target's rear comes before: at the latest then
   double sides = 0;  // s, releases from the sides reach the middle: the rest holds before; may be infinite
   double flyer_rear_after = 0;  // m/s, of the flyer's rear face once it is unloaded, along the axis
 

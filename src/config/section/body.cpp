@@ -113,6 +113,8 @@ void check_material(const Body& body, const TableReading& reading) {
     reading.in.out.error(reading.node.key_place,
                          fmt::format("'material' is missing in [{}]", reading.node.path),
                          "e.g. material = \"copper/ofhc-johnson-cook\", or rigid = true");
+  if (reading.good("material") && reading.has("material") && body.material.empty())
+    reading.wrong("material", "the material has no name", "`recoil material list` lists all");
 }
 
 /// The mass of a rigid body and how it turns go together.

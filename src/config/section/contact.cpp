@@ -62,7 +62,9 @@ void read_contact(const Node& node, Contact& contact, const CaseReading& in) {
       return !p.bodies[0].empty() &&
              (q.bodies == p.bodies || q.bodies == std::array{p.bodies[1], p.bodies[0]});
     });
-    if (again) in.out.error(pair.key_place, fmt::format("the pair '{}' is given twice", pair.key));
+    if (again)
+      in.out.error(pair.key_place, fmt::format("the pair '{}' is given twice", pair.key),
+                   "leave one of them out: the order of the names does not matter");
     contact.pairs.push_back(p);
   }
 }

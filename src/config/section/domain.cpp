@@ -37,7 +37,8 @@ void read_ends(Boundaries& boundary, const TableReading& reading, const Key& key
   const std::vector<std::string>& kinds = reading.record.texts(key.name);
   if (kinds.empty() || kinds.size() > 2)
     return reading.wrong(key.name,
-                         fmt::format("'{}' needs one kind of boundary or two, [low, high]", key.name));
+                         fmt::format("'{}' needs one kind of boundary or two, [low, high]", key.name),
+                         fmt::format("e.g. {} = [\"symmetry\", \"outflow\"]", key.name));
   const auto named = [](const std::string& kind) {
     return static_cast<Boundary>(axis_number(boundary_names, kind));
   };

@@ -25,6 +25,7 @@ Quantity read_any(const Node& node, const std::string& name, Diagnostics& out) {
     q = parse_any_quantity(node.text, name);
   } else {
     q.problem = fmt::format("'{}' needs a number or a quantity, but is {}", name, describe(node));
+    q.help = "a finite number, or a text with a unit such as \"0.695 us\"";
   }
   if (!q.ok()) out.error(node.place, q.problem, q.help);
   return q;
@@ -35,7 +36,7 @@ double read_tolerance(const Node& node, const Quantity& value, Diagnostics& out)
   const Quantity q = read_any(node, "within", out);
   if (!q.ok()) return 0;
   if (q.value < 0) {
-    out.error(node.place, "'within' must be at least 0");
+    out.error(node.place, "'within' must be at least 0", "it is how far off the value may be");
     return 0;
   }
   if (q.unit == "%" && value.unit != "%") {
@@ -70,7 +71,8 @@ void read_limits(const Node& node, const Record& record, Expectation& e, Diagnos
   e.at_least = record.has("at-least");
   const bool two_sided = record.has("value");
   if (record.has("within") && !two_sided)
-    out.error(record.key_place("within"), fmt::format("'within' goes with 'value', not with '{}'", name));
+    out.error(record.key_place("within"), fmt::format("'within' goes with 'value', not with '{}'", name),
+              "remove it: a limit has no tolerance");
   if (two_sided && !record.has("within"))
     out.error(node.key_place, fmt::format("'{}' has a value, but 'within' is missing", e.quantity),
               "give a tolerance: within = \"3 %\"");

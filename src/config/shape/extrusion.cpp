@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "config/declare/reading.hpp"
+#include "config/shape/simple_outline.hpp"
 
 namespace recoil::config {
 
@@ -41,6 +42,7 @@ void Extrusion::read_vertices(Extrusion& shape, const TableReading& reading, con
     if (reading.has(names[d])) shape.along = d;
   const auto [first, second] = across(shape.along);
   shape.vertices = read_corners(reading, key, 3, {names[first], names[second]});
+  check_simple_outline(shape.vertices, reading, key);
 }
 
 std::string Extrusion::write_vertices(const Extrusion& shape, const char* /*name*/, const Writing& /*how*/) {

@@ -36,7 +36,9 @@ void Lattice::check(const TableReading& reading) {
   if (!reading.good("count") || !reading.good("pitch") || !reading.good("shape")) return;
   double all = 1;
   for (std::size_t d = 0; d < 3; ++d) {
-    if (count[d] == 0) count[d] = 1;  // left out
+    const Node* given =
+        d < reading.in.axes.size() ? reading.record.node("count")->find(reading.in.axes[d]) : nullptr;
+    if (!given) count[d] = 1;
     if (count[d] < 1 || count[d] != std::floor(count[d]))
       return reading.wrong("count", fmt::format("{} is no number of copies", count[d]),
                            "e.g. count = { x = 3 }");

@@ -1,6 +1,7 @@
 #include "config/shape/polygon.hpp"
 
 #include "config/declare/reading.hpp"
+#include "config/shape/simple_outline.hpp"
 
 namespace recoil::config {
 
@@ -15,6 +16,7 @@ double Polygon::distance_in_plane(const Vec<2>& x, const Domain& domain) const {
 void Polygon::read_vertices(Polygon& polygon, const TableReading& reading, const Key& key) {
   const CaseReading& in = reading.in;
   polygon.vertices = read_corners(reading, key, 3, {in.axes[0], in.axes[1]});
+  check_simple_outline(polygon.vertices, reading, key);
   if (in.geometry == Geometry::axisymmetric) check_radii(polygon.vertices, reading, key.name.c_str());
 }
 

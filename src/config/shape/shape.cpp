@@ -21,7 +21,8 @@ Shape read_shape(const Node& node, const CaseReading& in) {
 void read_shapes(std::vector<Shape>& parts, const TableReading& reading, const Key& key, std::size_t fewest) {
   const Node& list = *reading.record.node(key.name);
   if (!list.is_array() || list.children.size() < fewest)
-    return reading.wrong(key.name, fmt::format("'{}' needs a list of at least {} shapes", key.name, fewest));
+    return reading.wrong(key.name, fmt::format("'{}' needs a list of at least {} shapes", key.name, fewest),
+                         "e.g. [{ kind = \"box\", ... }, { kind = \"disc\", ... }]");
   for (const Node& part : list.children) parts.push_back(read_shape(part, reading.in));
 }
 

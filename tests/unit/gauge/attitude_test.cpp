@@ -63,6 +63,33 @@ spin-centre = { x = "0 mm", y = "0 mm" }
   EXPECT_NEAR(a.head_y, -100 * std::sin(50 * degree) + 3000 * 4e-3 * std::cos(20 * degree), 0.1);
 }
 
+/// A rod of 8 mm that reaches across a periodic edge, half of it on each side.
+TEST(Attitude, OfARodAcrossAPeriodicEdge) {
+  const State<2> state = state_of<2>(case_from(R"(
+format = 1
+[domain]
+geometry = "planar"
+x = ["-8 mm", "8 mm"]
+y = ["-8 mm", "8 mm"]
+boundary = { x = "periodic" }
+[mesh]
+finest = "0.1 mm"
+[time]
+end = "1 us"
+[body.rod]
+material = "none"
+shape = { kind = "union", parts = [{ kind = "box", x = ["4 mm", "9 mm"], y = ["-1 mm", "1 mm"] },
+                                   { kind = "box", x = ["-9 mm", "-4 mm"], y = ["-1 mm", "1 mm"] }] }
+velocity = { x = "100 m/s" }
+)"));
+  const parallel::World world;
+  const AttitudeFrame frame = find_frame(state, 0, world);
+  EXPECT_NEAR(std::abs(frame.centre[0]), 8e-3, 1e-5);
+  EXPECT_NEAR(frame.length, 8e-3, 1e-5);
+  EXPECT_NEAR(frame.spin, 0, 1e-3);
+  EXPECT_NEAR(reading(state).head_x, 100, 1e-6);
+}
+
 TEST(Attitude, FrontIsWhereItGoes) {
   const Attitude a = reading(one_rod(std::string(tilted) + "\nvelocity = { x = \"-100 m/s\" }\n"));
   EXPECT_NEAR(a.inclination, 160 * degree, 0.02 * degree);

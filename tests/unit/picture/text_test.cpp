@@ -93,5 +93,18 @@ RC_GTEST_PROP(TextOfAnyBytes, IsDrawnAndIsAsWideAsItsParts, ()) {
   rendered(canvas);
 }
 
+/// A heading that is too long ends in an ellipsis, before what stands at the right of it.
+TEST(Text, ShortenedToItsRoom) {
+  const std::string title =
+      "A plate strikes a parallel inclined plate, 30 \u00b0 to the mesh: copper on tungsten";
+  for (const double room : {60.0, 150.0, 300.0, 450.0}) {
+    const std::string shorter = shortened_text(title, room, 14, true);
+    EXPECT_LE(text_width(shorter, 14, true), room);
+    EXPECT_TRUE(shorter.ends_with("\u2026")) << shorter;
+    EXPECT_TRUE(title.starts_with(shorter.substr(0, shorter.size() - 3))) << shorter;
+  }
+  EXPECT_EQ(shortened_text(title, 2000, 14, true), title);
+}
+
 }  // namespace
 }  // namespace recoil

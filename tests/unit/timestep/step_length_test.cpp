@@ -69,7 +69,7 @@ TEST(StepLength, NoiseGrowsBeyondTheLimit) {
 }
 
 /// With one stage linear waves are stable while c_L dt is below 1, 0.89 and 0.72 of dx in 1-D, 2-D and 3-D
-/// (tools/stable_cfl): CFL numbers of 1, 1.07 and 1.01.
+/// (tools/stable_cfl): CFL numbers of 1, 1.25 and 1.01.
 TEST(StepLength, WithOneStageNoiseDiesOutBelowItsOwnLimit) {
   for (const Strength& strength : {Strength{NoStrength{}}, Strength{Elastic{43e9}}}) {
     EXPECT_LT(growth_of_noise<1>(64, 0.95, 100, StepStages::one, strength), 1);
@@ -77,11 +77,27 @@ TEST(StepLength, WithOneStageNoiseDiesOutBelowItsOwnLimit) {
     EXPECT_LT(growth_of_noise<3>(12, 0.95, 60, StepStages::one, strength), 1);
   }
   EXPECT_GT(growth_of_noise<1>(64, 1.2, 100, StepStages::one, NoStrength{}), 10);
-  EXPECT_GT(growth_of_noise<2>(24, 1.4, 100, StepStages::one, NoStrength{}), 10);
+  EXPECT_GT(growth_of_noise<2>(24, 1.5, 100, StepStages::one, NoStrength{}), 10);
   EXPECT_GT(growth_of_noise<3>(12, 1.4, 60, StepStages::one, NoStrength{}), 10);
 }
 
-TEST(StepLength, SoundHasOneDirection) {
+/// A gas at rest, with sound far slower than the piston before it: the step must know of the piston before
+/// the first matter moves with it.
+TEST(StepLength, KnowsOfARigidBodyBeforeItSweepsMatterAlong) {
+  const auto domain = domain_of(config::Geometry::line, {-10 * mm}, {20 * mm});
+  config::Body piston = body_of("piston", box_shape({-4 * mm}, {0}));
+  piston.rigid = true;
+  piston.velocity = {2000};
+  Material gas = samples::copper();
+  gas.eos = IdealGas{1.66, 5.0 / 3, 101325, 0};
+  gas.strength = NoStrength{};
+  TestRun<1> run(case_of(domain, 0.1 * mm, {piston, body_of("gas", box_shape({0}, {30 * mm}))}), {gas, gas});
+  const double sound = std::sqrt(5.0 / 3 * 101325 / 1.66);
+  const double dt = advance(run.state, run.stepping, 1.0, run.engine);
+  EXPECT_NEAR(dt, run.stepping.cfl * 0.1 * mm / (2000 + sound), 1e-3 * dt);
+}
+
+TEST(StepLength, SoundCountsOnceAlongADiagonal) {
   for (const int dim : {1, 2, 3}) {
     EXPECT_DOUBLE_EQ(sound_in_step(dim, StepStages::three), std::sqrt(dim));
     EXPECT_LT(sound_in_step(dim, StepStages::one), std::sqrt(dim) + 1e-12);

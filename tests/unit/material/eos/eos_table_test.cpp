@@ -188,14 +188,18 @@ struct Found {
   config::Diagnostics out;
 };
 
-Found read_from(const std::filesystem::path& folder, const std::string& thermal,
-                const std::string& more = {}) {
+Found read_lines(const std::filesystem::path& folder, const std::string& more, const std::string& lines) {
   Found found;
   const std::string text = "[material.mine]\neos = { kind = \"tabular\", file = \"cu.sesame\"" + more +
-                           " }\nstrength = { kind = \"none\" }\nthermal = { " + thermal + " }\n";
+                           " }\nstrength = { kind = \"none\" }\n" + lines;
   const config::Document own = config::parse_document(text, (folder / "case.toml").string(), found.out);
   found.material = find_material("mine", &own, {}, found.out, {});
   return found;
+}
+
+Found read_from(const std::filesystem::path& folder, const std::string& thermal,
+                const std::string& more = {}) {
+  return read_lines(folder, more, "thermal = { " + thermal + " }\n");
 }
 
 TEST(Tabular, IsReadFromAFileBesideTheCase) {
@@ -210,6 +214,9 @@ TEST(Tabular, IsReadFromAFileBesideTheCase) {
   EXPECT_TRUE(has(text, "file = \"cu.sesame\"")) << text;
   EXPECT_FALSE(has(text, "specific-heat")) << text;
   EXPECT_TRUE(read_from(scratch.path(), "initial-temperature = \"400 K\"").material);
+  const Found without = read_lines(scratch.path(), "", "");  // all of [thermal] is the table's
+  ASSERT_TRUE(without.material) << without.out.text();
+  EXPECT_EQ(without.material->thermal.specific_heat, found.material->thermal.specific_heat);
   const auto mistake = [&](const std::string& thermal, const std::string& more) {
     return read_from(scratch.path(), thermal, more).out.text();
   };
