@@ -120,6 +120,13 @@ RECOIL_MULTIVERSION void sum_donors(const Packed<count>* values, const Donor<Dim
 template <int Dim, class EosModel>
 constexpr std::size_t fitted = EosModel::barotropic ? Components<Dim>::primitives : Components<Dim>::contents;
 
+/// Whether surface_state() has to take a faster sound than that of this state.
+template <int Dim>
+bool soft_for_its_stress(const Material& material, const Primitives<Dim>& w) {
+  using C = Components<Dim>;
+  return std::abs(w[C::p]) > w[C::rho] * sound_speed_squared(material.eos, w[C::rho], w[C::p], w[C::crushed]);
+}
+
 template <int Dim, class EosModel>
 void evaluate(const EosModel& eos, const Body<Dim>& body, const Donor<Dim>* donors,
               const Packed<fitted<Dim, EosModel>>* values, Wall<Dim>& wall, Counters& counters) {
@@ -147,6 +154,7 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const Donor<Dim>* dono
     if (kept != change) ++counters.clamped_fit_densities;
     wall.value[C::rho] = rho + kept;
   }
+  if (soft_for_its_stress(body.material, wall.value)) ++counters.floored_sound_speeds;
   wall.value[C::ep] = std::max(0.0, wall.value[C::ep]);
   wall.range[C::extra] = Dim == 3 ? trace_range<Dim, count>(wall, donors, values) : 0;
 }

@@ -335,7 +335,9 @@ SurfaceState<Dim> surface_state(const Material& material, const Primitives<Dim>&
         return std::max(matter.sound_speed_squared(rho, value[C::p]), least_wall_sound_squared(matter));
       },
       material.eos);
-  s.impedance = rho * std::sqrt(c2 + 4 * g / (3 * rho));
+  // A fit across a shock that arrives may bear more tension than its sound can answer for: the surface of
+  // such a state would run off at many times the speed of any release. In matter rho c^2 is above its stress.
+  s.impedance = rho * std::sqrt(std::max(c2 + 4 * g / (3 * rho), std::abs(s.stress) / rho));
   s.shear_impedance = std::sqrt(rho * g);
   return s;
 }
