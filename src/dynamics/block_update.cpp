@@ -9,12 +9,12 @@
 #include <variant>
 
 #include "cutcell/whole_cells.hpp"
-#include "dynamics/beside_contact.hpp"
 #include "dynamics/block_half_step.hpp"
 #include "dynamics/block_sources.hpp"
 #include "dynamics/face_sweep.hpp"
 #include "dynamics/stiffness/shear_modulus.hpp"
 #include "material/eos/any_eos.hpp"
+#include "state/beside_contact.hpp"
 
 namespace recoil {
 

@@ -7,13 +7,13 @@
 
 #include "cutcell/moves.hpp"
 #include "cutcell/redistribution.hpp"
-#include "dynamics/beside_contact.hpp"
 #include "dynamics/block_update.hpp"
 #include "dynamics/open_voids.hpp"
 #include "dynamics/plastic_return.hpp"
 #include "interface/fit.hpp"
 #include "interface/walls.hpp"
 #include "levelset/transport.hpp"
+#include "state/beside_contact.hpp"
 #include "timestep/detonation.hpp"
 #include "timestep/rigid_bodies.hpp"
 

@@ -1,4 +1,4 @@
-#include "dynamics/beside_contact.hpp"
+#include "state/beside_contact.hpp"
 
 #include <gtest/gtest.h>
 
