@@ -14,6 +14,7 @@
 #include "dynamics/half_step/block_half_step.hpp"
 #include "dynamics/stiffness/shear_modulus.hpp"
 #include "material/eos/any_eos.hpp"
+#include "state/beside_contact.hpp"
 
 namespace recoil {
 
@@ -95,14 +96,22 @@ void gather_values(const Body<Dim>& body, int slot, const AnyEos& eos, double sh
 }
 
 /// Says where MP5 reconstructs: in matter that never yields, where the cell's own average stands in the
-/// stencil. In matter that yields it would ring behind plastic shocks, or cost more than it gives where it
-/// may not; with ghost values in its stencils a disc gains spin (docs/decisions/0038).
+/// stencil, and beside contacts. In matter that yields it would ring behind plastic shocks, or cost more than
+/// it gives where it may not; with ghost values in its stencils a disc in free flight gains spin
+/// (docs/decisions/0043).
 template <int Dim>
 void find_never_yielding(const Body<Dim>& body, Work<Dim>& w, Scratch& scratch) {
   if (w.fails || !std::holds_alternative<Elastic>(body.material.strength)) return;
   w.never_yields = scratch.take_filled<std::uint8_t>(w.wide + vector_length, 1);
   if (!w.role) return;
-  for (std::size_t k = 0; k < w.wide; ++k) w.never_yields[k] = (w.role[k] & regular) != 0;
+  std::uint8_t any = 0;
+  for (std::size_t k = 0; k < w.wide; ++k) any |= w.role[k] & beside_contact;
+  if (any != 0) w.beside_contact = scratch.take_filled<std::uint8_t>(w.wide + vector_length, 0);
+  for (std::size_t k = 0; k < w.wide; ++k) {
+    const bool beside = (w.role[k] & beside_contact) != 0 && (w.role[k] & valued) != 0;
+    w.never_yields[k] = (w.role[k] & regular) != 0 || beside;
+    if (beside) w.beside_contact[k] = 1;
+  }
 }
 
 /// Where pores are being crushed, waves of loading run along the crush curve, not along the elastic branch:

@@ -34,6 +34,7 @@ struct Work {
   bool fails = false;                      // the matter can fail
   std::uint8_t* failed = nullptr;          // FailedCell of each cell of the window; null: nothing has failed
   std::uint8_t* never_yields = nullptr;    // 1 where matter never yields; null: nowhere
+  std::uint8_t* beside_contact = nullptr;  // 1 where it lies beside a contact as well; null: nowhere
   bool whole = false;                      // cells are whole and real, or not there at all (ghost fluid)
   const LevelSides<Dim>* sides = nullptr;  // null: all blocks around are of its level
   HalfStep ahead{};                        // dt 0: three stages
@@ -47,8 +48,9 @@ struct Work {
   std::size_t carried() const { return carried_contents<Dim>(fails); }
 
   Row<Dim> row(std::ptrdiff_t first, std::ptrdiff_t step, int count) const {
-    return {primitive, stress, impedance,    wide, first, step, count, ahead.dt > 0 ? &ahead : nullptr,
-            fails,     failed, never_yields, shear};
+    return {
+        primitive, stress, impedance,    wide,  first,         step, count, ahead.dt > 0 ? &ahead : nullptr,
+        fails,     failed, never_yields, shear, beside_contact};
   }
 };
 

@@ -48,11 +48,12 @@ struct Row {
   std::size_t cells = 0;               // of the window
   std::ptrdiff_t first = 0, step = 1;  // step: distance in memory along the axis
   int count = 0;
-  const HalfStep* ahead = nullptr;             // null: values of the start of the stage are wanted
-  bool fails = false;                          // the matter can fail, and carries its damage
-  const std::uint8_t* failed = nullptr;        // FailedCell of the window's cells; null: nothing has failed
-  const std::uint8_t* never_yields = nullptr;  // 1 in cells of matter that never yields; null: in none
-  const double* shear = nullptr;               // [cells] shear modulus; null: the same in every state
+  const HalfStep* ahead = nullptr;               // null: values of the start of the stage are wanted
+  bool fails = false;                            // the matter can fail, and carries its damage
+  const std::uint8_t* failed = nullptr;          // FailedCell of the window's cells; null: nothing has failed
+  const std::uint8_t* never_yields = nullptr;    // 1 in cells of matter that never yields; null: in none
+  const double* shear = nullptr;                 // [cells] shear modulus; null: the same in every state
+  const std::uint8_t* beside_contact = nullptr;  // 1 in cells whose faces lose less; null: in none
 
   std::size_t carried() const { return carried_contents<Dim>(fails); }
 };

@@ -106,6 +106,15 @@ struct FaceSide {
   const double* stress() const { return values.stress + from; }
 };
 
+/// How much of the jump of stress across each face of a row drives its star velocity: half of it between two
+/// cells beside a contact, else all of it. @param pulls out.
+template <int Dim>
+const double* find_pulls(const Row<Dim>& in, double* pulls) {
+  const std::uint8_t *upper = in.beside_contact + in.first, *lower = upper - in.step;
+  for (int i = 0; i < in.count; ++i) pulls[i] = (upper[i] & lower[i]) != 0 ? 0.5 : 1.0;
+  return pulls;
+}
+
 /// Completes one side: p from the stress, and c_L into `sound`. States out of bounds are replaced by the
 /// average of their cell. @param shift distance in memory from a face's upper cell to the one on this side.
 /// @returns how many states were replaced.
@@ -134,10 +143,10 @@ int complete_side(const AnyEos& eos, const StateBounds& bounds, const Row<Dim>& 
 }
 
 /// The waves along the axis: mass, normal momentum and energy, and the normal star velocity.
-/// @param inverse out: NormalWaves::inverse.
+/// @param pull see solve_normal_waves(). @param inverse out: NormalWaves::inverse.
 template <int Dim, int Axis>
 void solve_along_axis(const AnyEos& eos, int count, const FaceSide<Dim>& left, const FaceSide<Dim>& right,
-                      const FaceFlux<Dim>& out, double* inverse) {
+                      const double* pull, const FaceFlux<Dim>& out, double* inverse) {
   using C = Components<Dim>;
   constexpr std::size_t un = C::u + Axis;
   alignas(64) double rho_behind[longest_row], p_behind[longest_row], energy[longest_row],
@@ -146,7 +155,7 @@ void solve_along_axis(const AnyEos& eos, int count, const FaceSide<Dim>& left, c
     return NormalSide{s.of(C::rho), s.of(un), s.stress(), s.of(C::p), s.sound};
   };
   double *mass = out.flux_of(C::rho), *power = out.flux_of(C::energy), *speed = out.velocity_along(Axis);
-  solve_normal_waves(count, side(left), side(right),
+  solve_normal_waves(count, side(left), side(right), pull,
                      {mass, out.flux_of(un), power, speed, rho_behind, p_behind, kinetic, work, inverse});
   alignas(64) double upwind[longest_row];
   const double* crushed = left.of(C::crushed);
@@ -189,7 +198,9 @@ int solve_faces(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, Fac
     detail::add_shear_stiffness(count, below, left.of(C::rho), sound_left);
     detail::add_shear_stiffness(count, modulus, right.of(C::rho), sound_right);
   }
-  detail::solve_along_axis<Dim, Axis>(eos, count, left, right, out, inverse);
+  alignas(64) double pulls[longest_row];
+  const double* pull = in.beside_contact ? detail::find_pulls(in, pulls) : nullptr;
+  detail::solve_along_axis<Dim, Axis>(eos, count, left, right, pull, out, inverse);
   const detail::CarryingFlow flow{out.flux_of(C::rho), out.velocity_along(Axis), inverse};
   for (int t = 0; t < Dim; ++t) {
     if (t == Axis) continue;
@@ -201,7 +212,7 @@ int solve_faces(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, Fac
       if (modulus)
         detail::solve_shear_waves(below, modulus, count, low, high, flow, along);
       else
-        detail::solve_shear_waves(shear_modulus, count, low, high, flow, along);
+        detail::solve_shear_waves(shear_modulus, count, low, high, pull, flow, along);
     } else {
       detail::carry_velocity(count, left.of(v), right.of(v), flow, along);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 
 #include "core/error.hpp"
 #include "dynamics/primitives.hpp"
@@ -27,6 +28,11 @@ template <int Dim>
 constexpr double decay_along = Dim == 3 ? 0.35 : 0.15;
 constexpr double end_exponent = 2.84, most_curved = 0.1;
 constexpr double decay_at_rim = 1.2, rim_curved = 0.02;
+// Beside contact the mean of a fit in matter that never yields is that of the nearest donors, with weights
+// that fall faster by this rate; only the gradient is that of all. Else the wall would not answer to waves
+// along the surface that are shorter than the fit is wide, and with reconstructions of little dissipation
+// these grow (docs/decisions/0043).
+constexpr double decay_nearest = 1.8;
 constexpr double fit_ridge = 0.006;  // of the total weight, on the diagonal of the gradient's matrix
 constexpr int fit_reach = 7;         // the widest box reaches 6 cells, the surface point lies at most 1 away
 
@@ -121,6 +127,21 @@ class Rims {
       surface_[k] = kind[k] != CellKind::cut ? Surface::none
                     : partners[k] != 0       ? Surface::pressed
                                              : Surface::free;
+  }
+
+  /// Whether any part of the surface within the widest reach of a fit from cell i is pressed.
+  bool pressed_near(const Index<Dim>& i) const {
+    if (!any_) return false;
+    const double reach = std::sqrt(end_exponent / decay_along<Dim>);
+    Box<Dim> around{i, i};
+    for (int d = 0; d < Dim; ++d) ++around.hi[d];
+    bool pressed = false;
+    for_each(around.grown(static_cast<int>(reach)), [&](const Index<Dim>& j) {
+      double square = 0;
+      for (int d = 0; d < Dim; ++d) square += (j[d] - i[d]) * (j[d] - i[d]);
+      pressed = pressed || (square <= reach * reach && surface_[window_.at(j)] == Surface::pressed);
+    });
+    return pressed;
   }
 
   /// How much cell i lies at the rim of a contact, 0 to 1: not at all unless both pressed and free parts of
@@ -238,8 +259,9 @@ int collect(const Grid<Dim>& grid, const Window<Dim>& w, const Vec<Dim>& point, 
 }
 
 /// From weights and places (kept in slope_weight) to the coefficients of mean and gradient.
+/// @param by_nearest the mean is that of the nearest donors.
 template <int Dim>
-void solve(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors) {
+void solve(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors, bool by_nearest) {
   double total = 0;
   Vec<Dim> first;
   Matrix<Dim> second{};
@@ -260,12 +282,18 @@ void solve(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors) {
       second[e][d] = m;
     }
   const Matrix<Dim> a = inverse<Dim>(second);
-  wall.donor_centre = mean;
+  wall.donor_centre = by_nearest ? Vec<Dim>{} : mean;
+  double nearest = 0;
   for (auto it = begin; it != end; ++it) {
-    const Vec<Dim> x = it->slope_weight - mean;
+    const Vec<Dim> at = it->slope_weight, x = at - mean;
     for (int d = 0; d < Dim; ++d) it->slope_weight[d] = it->weight * dot(a[d], x);
-    it->weight /= total;
+    if (!by_nearest) continue;
+    it->weight *= std::exp(-decay_nearest * dot(at, at));
+    nearest += it->weight;
+    wall.donor_centre += it->weight * at;
   }
+  if (by_nearest) wall.donor_centre *= 1 / nearest;
+  for (auto it = begin; it != end; ++it) it->weight /= by_nearest ? nearest : total;
 }
 
 }  // namespace
@@ -281,6 +309,7 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   Candidates<Dim> candidates(state, body, w, scratch);
   const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
   const Rims<Dim> rims(body, w, scratch);
+  const bool elastic = std::holds_alternative<Elastic>(body.material.strength);
   for (std::size_t m = 0; m < b.walls.size(); ++m) {
     Wall<Dim>& wall = b.walls[m];
     wall.first_donor = static_cast<int>(b.donors.parts.size());
@@ -293,7 +322,7 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
         wall.donors = collect(state.grid(), w, cut.point, reach_of<Dim>(cut.surface, curvature, rim, widened),
                               candidates, b.donors);
     if (wall.donors > 0)
-      solve(wall, b.donors.parts);
+      solve(wall, b.donors.parts, elastic && rims.pressed_near(i));
     else
       ++counters.cuts_without_donor;
   }

@@ -198,15 +198,20 @@ int find_longitudinal_speeds(const StateBounds& bounds, const double* rho, const
   return bad;
 }
 
-RECOIL_MULTIVERSION
-void solve_normal_waves(int count, const NormalSide& left, const NormalSide& right, const NormalWaves& out) {
+namespace {
+
+/// @param Pulled whether `pull` is there.
+template <bool Pulled>
+[[gnu::always_inline]] inline void normal_waves(int count, const NormalSide& left, const NormalSide& right,
+                                                const double* pull, const NormalWaves& out) {
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double rl = left.rho[i], rr = right.rho[i], ul = left.u[i], ur = right.u[i], sl = left.stress[i],
                  sr = right.stress[i], cl = left.sound[i], cr = right.sound[i];
     const double low = ul - cl < ur - cr ? ul - cl : ur - cr, high = ul + cl > ur + cr ? ul + cl : ur + cr;
     const double ml = rl * (low - ul), mr = rr * (high - ur);
-    const double star = (sl - sr + ml * ul - mr * ur) / (ml - mr), stress_star = sl - ml * (star - ul);
+    const double full = (sl - sr + ml * ul - mr * ur) / (ml - mr), stress_star = sl - ml * (full - ul);
+    const double star = Pulled ? full - (1 - pull[i]) * (sl - sr) / (ml - mr) : full;
     const bool from_left = star >= 0;
     const double wave = from_left ? low : high, m = from_left ? ml : mr;
     const bool beyond = (from_left & (low >= 0)) | (!from_left & (high <= 0));
@@ -224,6 +229,17 @@ void solve_normal_waves(int count, const NormalSide& left, const NormalSide& rig
     out.power[i] = out_s * out_u;
     out.speed[i] = out_u;
   }
+}
+
+}  // namespace
+
+RECOIL_MULTIVERSION
+void solve_normal_waves(int count, const NormalSide& left, const NormalSide& right, const double* pull,
+                        const NormalWaves& out) {
+  if (pull)
+    normal_waves<true>(count, left, right, pull, out);
+  else
+    normal_waves<false>(count, left, right, pull, out);
 }
 
 void add_shear_stiffness(int count, const double* shear_modulus, const double* rho, double* sound) {
@@ -256,22 +272,37 @@ void solve_shear_waves(const double* left_modulus, const double* right_modulus, 
   }
 }
 
-RECOIL_MULTIVERSION
-void solve_shear_waves(double shear_modulus, int count, const ShearSide& left, const ShearSide& right,
-                       const CarryingFlow& flow, const AlongFace& out) {
+namespace {
+
+template <bool Pulled>
+[[gnu::always_inline]] inline void shear_waves(double shear_modulus, int count, const ShearSide& left,
+                                               const ShearSide& right, const double* pull,
+                                               const CarryingFlow& flow, const AlongFace& out) {
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const bool from_left = flow.speed[i] >= 0, beyond = flow.inverse[i] == 0;
     const double vl = left.v[i], vr = right.v[i], v = from_left ? vl : vr;
     const double tl = left.tau[i], tr = right.tau[i], tau = from_left ? tl : tr;
     const double zl = std::sqrt(left.rho[i] * shear_modulus), zr = std::sqrt(right.rho[i] * shear_modulus);
-    const double v_star = (zl * vl + zr * vr + tr - tl) / (zl + zr), tau_star = tl + zl * (v_star - vl);
+    const double full = (zl * vl + zr * vr + tr - tl) / (zl + zr), tau_star = tl + zl * (full - vl);
+    const double v_star = Pulled ? full - (1 - pull[i]) * (tr - tl) / (zl + zr) : full;
     const double v_out = beyond ? v : v_star, tau_out = beyond ? tau : tau_star;
     const double work = (tau_out * v_out - tau * v) / (from_left ? -zl : zr);
     out.momentum[i] = flow.mass[i] * v_out - tau_out;
     out.power[i] += flow.mass[i] * (0.5 * v * v - work) - tau_out * v_out;
     out.speed[i] = v_out;
   }
+}
+
+}  // namespace
+
+RECOIL_MULTIVERSION
+void solve_shear_waves(double shear_modulus, int count, const ShearSide& left, const ShearSide& right,
+                       const double* pull, const CarryingFlow& flow, const AlongFace& out) {
+  if (pull)
+    shear_waves<true>(shear_modulus, count, left, right, pull, flow, out);
+  else
+    shear_waves<false>(shear_modulus, count, left, right, pull, flow, out);
 }
 
 RECOIL_MULTIVERSION

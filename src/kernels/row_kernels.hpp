@@ -93,7 +93,10 @@ struct NormalWaves {
   double *mass, *normal, *power, *speed;
   double *rho_behind, *p_behind, *kinetic, *work, *inverse;
 };
-void solve_normal_waves(int count, const NormalSide& left, const NormalSide& right, const NormalWaves& out);
+/// @param pull of each face: how much of the jump of stress drives the star velocity; null: all of it. The
+/// star stress takes all of the jump of velocity.
+void solve_normal_waves(int count, const NormalSide& left, const NormalSide& right, const double* pull,
+                        const NormalWaves& out);
 
 /// One side of a row of faces, and what shear waves need there.
 struct ShearSide {
@@ -119,9 +122,9 @@ void add_shear_impedance(int count, const double* shear_modulus, const double* r
 void solve_shear_waves(const double* left_modulus, const double* right_modulus, int count,
                        const ShearSide& left, const ShearSide& right, const CarryingFlow& flow,
                        const AlongFace& out);
-/// The shear waves of a solid.
+/// The shear waves of a solid. @param pull see solve_normal_waves().
 void solve_shear_waves(double shear_modulus, int count, const ShearSide& left, const ShearSide& right,
-                       const CarryingFlow& flow, const AlongFace& out);
+                       const double* pull, const CarryingFlow& flow, const AlongFace& out);
 
 /// A fluid carries its velocity along the face with it.
 void carry_velocity(int count, const double* left, const double* right, const CarryingFlow& flow,

@@ -11,9 +11,10 @@ constexpr int reach_of(Field field) {
     case Field::stencil:
     case Field::phi_next:
       return 3;
-    case Field::contact:
     case Field::extension_velocity:
       return 4;
+    case Field::contact:
+      return 5;
     case Field::average:
       return 7;
     default:

@@ -13,6 +13,7 @@
 #include "interface/fit.hpp"
 #include "interface/walls.hpp"
 #include "levelset/transport.hpp"
+#include "state/beside_contact.hpp"
 #include "timestep/detonation.hpp"
 #include "timestep/rigid_bodies.hpp"
 
@@ -29,6 +30,14 @@ constexpr double follow_rate = 0.02;  // part of the mismatch that phi takes up 
 template <int Dim>
 void drive_rigid_bodies(StepRun<Dim>& step, double dt) {
   follow_velocity_histories(step.state(), dt);
+}
+
+template <int Dim>
+void mark_beside_contact(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"mark beside contact", contact, {}, role};
+  step.for_each_body(StepPhase::fits, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+    mark_beside_contact(step.state(), body, slot, scratch);
+  });
 }
 
 template <int Dim>
@@ -220,6 +229,7 @@ void clear_negative_strain(StepRun<Dim>& step) {
 
 #define RECOIL_INSTANTIATE(Dim)                                          \
   template void drive_rigid_bodies<Dim>(StepRun<Dim>&, double);          \
+  template void mark_beside_contact<Dim>(StepRun<Dim>&);                 \
   template void find_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
   template void move_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
   template void update_matter<Dim>(StepRun<Dim>&, double, const Stage&); \

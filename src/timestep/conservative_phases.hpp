@@ -8,6 +8,9 @@ namespace recoil {
 /// The velocity of rigid bodies that have one over time, for this step.
 template <int Dim>
 void drive_rigid_bodies(StepRun<Dim>& step, double dt);
+/// Says which cells of matter that never yields lie beside a contact.
+template <int Dim>
+void mark_beside_contact(StepRun<Dim>& step);
 /// Fits, contacts and walls of the start of a stage.
 template <int Dim>
 void find_walls(StepRun<Dim>& step, double dt, const Stage& stage);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 #include "../core/dimensions.hpp"
@@ -170,6 +171,39 @@ TEST(FitsOfASlantedSurface, HardlyDependOnTheCut) {
   });
   EXPECT_LT(high, 0) << "a line through a curve that opens upwards undershoots at its end";
   EXPECT_LT(high - low, 1.2e7) << "a reach of 2.35 cells gives 2.5e7: " << low << ' ' << high;
+}
+
+/// A velocity that changes sign from one cut cell of a surface at 45 degrees to the next: a fit as wide as
+/// some of its waves does not see it; beside contact the wall of matter that never yields does.
+TEST(FitsOfASlantedSurface, AnswerToShortWavesBesideContact) {
+  using C = Components<2>;
+  const Grid<2> grid = make_test_grid<2>(32, 16, Edge::outflow);
+  Material hard = samples::copper();
+  hard.strength = Elastic{43e9};
+  const auto rest = moving<2>(hard, {});
+  const Vec<2> n{{1, 1}}, middle = middle_of(grid) + Vec<2>{{0.5 * grid.dx, 0}};
+  const auto largest_with = [&](std::uint32_t touched) {
+    Prepared<2> p{grid, {half_space(middle, n)}, {rest}, hard};
+    p.for_each_body([&](Body<2>& body, int s, Scratch&) {
+      for (const auto& cut : body.at(s).geometry.cuts) body.at(s).contact[cut.cell] = touched;
+    });
+    p.prepare();
+    Fits<std::integral_constant<int, 2>>::set_averages(p, [&](const Vec<2>& x) {
+      auto w = rest;
+      w[C::u] = std::cos(0.5 * M_PI * (x[0] - middle[0] - x[1] + middle[1]) / grid.dx);
+      return w;
+    });
+    p.evaluate();
+    double largest = 0;
+    p.for_each_wall(0, [&](const Wall<2>& w, const CutCell<2>& cut, const Index<2>& i) {
+      if (grid.domain().grown(-6).contains(i) && norm(cut.surface) > 0.5 * grid.dx)
+        largest = std::max(largest, std::abs(w.value[C::u]));
+    });
+    return largest;
+  };
+  const double wide = largest_with(0), nearest = largest_with(2);
+  EXPECT_LT(wide, 0.25);
+  EXPECT_GT(nearest, 0.5);
 }
 
 /// Beside a plane of symmetry the mirrored donors count with turned velocities.
