@@ -18,19 +18,18 @@ namespace recoil {
 
 namespace {
 
-constexpr double touching_gap = 0.5;      // surfaces farther apart [dx] do not meet in this step
-constexpr double kept_contact_gap = 0.1;  // [dx] below it what was in contact closes no gap first
-constexpr double welded_gap = 0.01;       // glued bodies that are this near [dx] hold each other
-constexpr double kept_overlap = 0.03;     // [dx] of two bodies that touch, by their volumes, that stays ...
-constexpr double push_rate = 0.2;         // ... and the part of the rest that contact takes back in a step
-constexpr double push_strength = 4;       // ... and at most so much w^2/c, with the closing speed w
-constexpr double push_face = 0.3;         // of a face: a smaller common area takes back as much as this one
-constexpr double small_face = 0.1;  // of a face: a smaller part of a surface takes its normal from elsewhere
+constexpr double touching_gap = 0.5;  // surfaces farther apart [dx] do not meet in this step
+constexpr double kept_contact_gap =
+    0.1;  // below this [dx], what was in contact stays so without closing a gap first
+constexpr double welded_gap = 0.01;  // glued bodies that are this near [dx] hold each other
+constexpr double small_face =
+    0.1;  // of dx^(Dim-1): a smaller part of a surface takes its normal from elsewhere
 constexpr double no_direction =
     1e-14;  // of dx^(Dim-1): surfaces whose area vectors differ by less do not face each other
 constexpr double least_shared = 1e-12;  // of a face: a smaller common area is no contact
 constexpr double nothing_left = 1e-6;   // of a face: a smaller rest of a surface moves with what touches it
-constexpr double rigid_slack = 1.0000001;  // of a rigid surface's area: shared in spite of rounding
+constexpr double rigid_slack =
+    1.0000001;  // of a rigid surface's area: what can be shared in spite of rounding
 
 constexpr std::size_t most_pairs = most_bodies * (most_bodies - 1) / 2;
 
@@ -54,9 +53,8 @@ template <int Dim>
 struct Cluster {
   std::array<Side<Dim>, most_bodies> side;
   std::size_t count = 0;
-  Index<Dim> cell;    // global
-  double face = 0;    // dx^(Dim-1), r-weighted in an axisymmetric domain
-  double beyond = 0;  // what the bodies hold there together beyond a whole cell [m^Dim], below 0: room left
+  Index<Dim> cell;  // global
+  double face = 0;  // dx^(Dim-1), r-weighted in an axisymmetric domain
 
   void add(const Side<Dim>& s) { side[count++] = s; }
 };
@@ -137,27 +135,6 @@ double shear_limit(const ContactLaw& law, const Touch& t) {
   return law.coefficient * std::abs(t.traction);
 }
 
-/// What deformable bodies hold together in a cell beyond a whole one [m^Dim].
-template <int Dim>
-double matter_beyond(const State<Dim>& state, int slot, int k, const Index<Dim>& cell) {
-  double sum = -state.grid().full_volume(cell);
-  for (const Body<Dim>& body : state.bodies)
-    if (!body.rigid && body.present(slot)) sum += body.at(slot).volume[k];
-  return sum;
-}
-
-/// The speed, below 0, with which two bodies that overlap by their volumes, whatever the level sets say, push
-/// each other out of the room that both cannot have [m/s]; 0 where they do not. Of the
-/// speed w with which they would run into each other the push is at most the part 4 |w|/c, so that it does
-/// not show in weak contacts.
-template <int Dim>
-double speed_of_overlap(const BlockStage<Dim>& a, const Cluster<Dim>& c, double area, double w,
-                        double sound) {
-  const double overlap = c.beyond / std::max(area, push_face * c.face) - kept_overlap * a.view.dx();
-  if (!(overlap > 0 && w < 0)) return 0;
-  return -std::min(push_rate * overlap / a.dt, push_strength * w * w / sound);
-}
-
 /// Without friction nothing is held, and each surface slides as it likes.
 template <int Dim>
 ShearSide<Dim> shear_side(const SurfaceState<Dim>& s) {
@@ -190,13 +167,7 @@ void try_pair(const BlockStage<Dim>& a, Side<Dim>& first, Side<Dim>& second, dou
     return;
   }
   const auto r = surface_state(other.material, second.wall->value, e);
-  constexpr std::size_t rho = Components<Dim>::rho;
-  const double sound = (s.impedance + r.impedance) / (first.wall->value[rho] + second.wall->value[rho]);
-  const ContactSide theirs{r.velocity, r.stress, r.impedance};
-  const double w =
-      free_velocity(r.velocity, -r.stress, r.impedance) - free_velocity(s.velocity, s.stress, s.impedance);
-  const double push = glued ? 0 : speed_of_overlap(a, c, area, w, sound);
-  const Touch t = touch(mine, theirs, push < 0 ? push : gap_speed, glued);
+  const Touch t = touch(mine, {r.velocity, r.stress, r.impedance}, gap_speed, glued);
   if (!t.touching) return;
   const ShearContact<Dim> g = shear_contact(shear_side(s), shear_side(r), shear_limit(law, t));
   touch_part(first, second.body, e, 1, t.first_velocity * e + g.first_velocity, t, g, area);
@@ -323,7 +294,6 @@ void find_all(const BlockStage<Dim>& a) {
       if (!gather_sides(state, slot, m, cut.cell, c)) continue;
       c.cell = a.view.window.index_of(cut.cell);
       c.face = a.area * state.grid().radius(c.cell[0]);
-      c.beyond = matter_beyond(state, slot, cut.cell, c.cell);
       if (c.count > 1) touch_all(a, c);
       for (std::size_t k = 0; k < c.count; ++k)
         if (!c.side[k].rigid) free_part(a, c.side[k], c);

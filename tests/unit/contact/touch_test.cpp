@@ -45,16 +45,6 @@ TEST(Touch, EqualStressesPassThrough) {
   EXPECT_NEAR(t.work_velocity, 20, 1e-9);
 }
 
-/// A gap speed below 0 presses surfaces that overlap apart: by that speed, with more traction, and still with
-/// one work velocity between those of the walls.
-TEST(Touch, OverlappingSurfacesPushEachOtherAway) {
-  const Touch plain = touch({100, 0, za}, {0, 0, zb}, 0), pushed = touch({100, 0, za}, {0, 0, zb}, -20);
-  EXPECT_NEAR(pushed.traction, 1.2 * plain.traction, 1e-3);
-  EXPECT_NEAR(pushed.second_velocity - pushed.first_velocity, 20, 1e-9);
-  EXPECT_GT(pushed.work_velocity, pushed.first_velocity);
-  EXPECT_LT(pushed.work_velocity, pushed.second_velocity);
-}
-
 TEST(Touch, WhateverTheStates) {
   Random random(9);
   int touching = 0;

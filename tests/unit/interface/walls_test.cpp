@@ -90,38 +90,6 @@ TYPED_TEST(Walls, AnImpactGivesBothTheSameWithOppositeSign) {
   EXPECT_GT(touching, dim == 1 ? 1 : 8);
 }
 
-/// Bodies that hold more in a cell than there is room press harder, and their walls part; what one gives the
-/// other still receives. A contact without strength does not feel it.
-TYPED_TEST(Walls, OverfilledCellsPushTheBodiesApart) {
-  constexpr int dim = TestFixture::dim;
-  for (const double speed : {2000.0, 0.02}) {
-    auto p =
-        this->facing(0, moving<dim>(this->material, speed * this->normal), moving<dim>(this->material, {}));
-    for (auto& body : p.state.bodies)
-      for (int s = 0; s < p.state.mesh.local(); ++s) {
-        auto& b = body.at(s);
-        for (std::size_t k = 0; k < b.volume.size(); ++k) {
-          if (b.geometry.index[k] < 0) continue;
-          b.volume[k] *= 1.2;
-          for (int c = 0; c < Components<dim>::contents; ++c)
-            b.contents[static_cast<std::size_t>(c) * b.volume.size() + k] *= 1.2;
-        }
-      }
-    p.prepare();
-    find_all(p, this->dt);
-    this->expect_balance(p);
-    const double plain = -0.5 * speed * this->z;
-    double most = 0;
-    p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>& i) {
-      if (this->inside(i)) most = std::max(most, w.traction / plain);
-    });
-    if (speed > 1)
-      EXPECT_GT(most, 1.001);
-    else
-      EXPECT_NEAR(most, 1, 1e-4);
-  }
-}
-
 /// Bodies that slide past each other keep their own tangential velocity: no friction, no work by it.
 TYPED_TEST(Walls, SlidingIsFree) {
   constexpr int dim = TestFixture::dim;
