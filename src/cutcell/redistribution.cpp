@@ -50,6 +50,9 @@ class Redistribution {
     index_ = scratch_.take<int>(n_);
     window_.gather([&](int s) { return body_.present(s) ? body_.at(s).geometry.index.data() : nullptr; }, -1,
                    Beyond::nothing, index_);
+    role_ = scratch_.take<std::uint8_t>(n_);
+    window_.gather([&](int s) { return body_.present(s) ? body_.at(s).role.data() : nullptr; },
+                   std::uint8_t{0}, Beyond::nothing, role_);
     if (!find_small()) return;
     gather_phi();
     form_neighbourhoods();
@@ -72,6 +75,10 @@ class Redistribution {
     return true;
   }
 
+  /// Whether a fragment has become large in this step: fluxes do not see its state yet, so that by itself it
+  /// would run away from its neighbours.
+  bool has_grown(int k) const { return index_[k] >= 0 && (role_[k] & (donates | regular)) == donates; }
+
   /// Small fragments whose neighbourhoods may reach an own cell, or be counted by one that does.
   bool find_small() {
     const Box<Dim> inner = window_.inner().grown(reach - 2);
@@ -79,7 +86,7 @@ class Redistribution {
     small_ = scratch_.take<Neighbourhood>(static_cast<std::size_t>(inner.size()));
     for_each(inner, [&](const Index<Dim>& i) {
       const int k = window_.at(i);
-      if (volume_[k] >= target_fill * full(i)) return;
+      if (volume_[k] >= target_fill * full(i) && !has_grown(k)) return;
       if (volume_[k] == 0 && (index_[k] < 0 || holds_nothing(k))) return;
       small_[count].cell = k;
       small_[count++].alone = false;
@@ -361,7 +368,8 @@ class Redistribution {
   double *volume_ = nullptr, *phi_ = nullptr;
   Neighbourhood* small_ = nullptr;
   int smalls_ = 0;
-  int* index_ = nullptr;  // of cut cells
+  int* index_ = nullptr;          // of cut cells
+  std::uint8_t* role_ = nullptr;  // of the start of the step
   int *members_ = nullptr, *shares_ = nullptr, *first_holder_ = nullptr, *holders_ = nullptr;
   std::uint8_t* is_small_ = nullptr;
   Merged* merged_ = nullptr;

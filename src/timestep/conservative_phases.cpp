@@ -89,7 +89,7 @@ void update_matter(StepRun<Dim>& step, double dt, const Stage& stage) {
 
 template <int Dim>
 void redistribute_small_fragments(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"redistribute", contents | volume | geometry | phi, {}, updates};
+  static constexpr FieldAccess access{"redistribute", contents | volume | geometry | phi | role, {}, updates};
   step.for_each_body(StepPhase::redistribution, {access, 8},
                      [&](Body<Dim>& body, int slot, Scratch& scratch) {
                        redistribute(step.state(), body, slot, step.counters(slot), scratch);

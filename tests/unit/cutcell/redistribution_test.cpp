@@ -113,6 +113,35 @@ TYPED_TEST(Redistributing, ATinyPieceTakesTheStateOfItsNeighbourhood) {
   });
 }
 
+/// A fragment that was small at the start of the step is redistributed to the end of it, even if it has
+/// become large: fluxes do not see its own state before the next step.
+TYPED_TEST(Redistributing, APieceThatHasGrownIsStillRedistributed) {
+  constexpr int dim = TestFixture::dim;
+  for (const bool grown : {false, true}) {
+    auto state = this->random_ball(this->grid, 0);
+    const auto one =
+        per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+    auto dense = one;
+    for (double& c : dense) c *= 2;
+    const auto is_cut = [](const auto& b, std::size_t k) { return b.geometry.index[k] >= 0; };
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      if (!is_cut(b, k)) return;
+      set_piece(b, k, 0.6 * this->grid.full_volume(i), dense);
+      b.role[k] = static_cast<std::uint8_t>(grown ? donates : donates | regular);
+    });
+    this->run(state);
+    int pieces = 0, mixed = 0;  // some share with cells as dense as they are
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+      if (!is_cut(b, k)) return;
+      ++pieces;
+      if (b.contents[k] / b.volume[k] / one[0] < 1.99) ++mixed;
+    });
+    EXPECT_GT(pieces, 0);
+    EXPECT_EQ(mixed > pieces / 3, grown);
+    EXPECT_TRUE(grown || mixed == 0);
+  }
+}
+
 TYPED_TEST(Redistributing, ALonePieceGoesToTheNearestWhole) {
   constexpr int dim = TestFixture::dim;
   Vec<dim> normal, point = this->grid.origin;
