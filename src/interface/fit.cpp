@@ -154,7 +154,7 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const Donor<Dim>* dono
     if (kept != change) ++counters.clamped_fit_densities;
     wall.value[C::rho] = rho + kept;
   }
-  if (soft_for_its_stress(body.material, wall.value)) ++counters.floored_sound_speeds;
+  if (soft_for_its_stress<Dim>(body.material, wall.value)) ++counters.floored_sound_speeds;
   wall.value[C::ep] = std::max(0.0, wall.value[C::ep]);
   wall.range[C::extra] = Dim == 3 ? trace_range<Dim, count>(wall, donors, values) : 0;
 }

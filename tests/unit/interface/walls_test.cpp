@@ -90,6 +90,19 @@ TYPED_TEST(Walls, AnImpactGivesBothTheSameWithOppositeSign) {
   EXPECT_GT(touching, dim == 1 ? 1 : 8);
 }
 
+/// A fit across a shock may bear tension that its sound, below its floor, cannot answer for.
+TEST(SurfaceState, IsNotSofterThanItsStress) {
+  using C = Components<1>;
+  Primitives<1> w{};
+  w[C::rho] = 9000;
+  w[C::p] = -170e9;
+  const auto s = surface_state<1>(samples::copper(), w, Vec<1>{{1}});
+  EXPECT_LE(std::abs(s.stress / s.impedance), std::sqrt(170e9 / 9000) * (1 + 1e-12));
+  w[C::p] = 10e9;
+  const auto pressed = surface_state<1>(samples::copper(), w, Vec<1>{{1}});
+  EXPECT_GT(pressed.impedance, 1.5 * std::sqrt(10e9 * 9000));
+}
+
 /// Bodies that slide past each other keep their own tangential velocity: no friction, no work by it.
 TYPED_TEST(Walls, SlidingIsFree) {
   constexpr int dim = TestFixture::dim;
