@@ -23,8 +23,7 @@ struct Method {
             {.name = "stages",
              .member = &Method::stages,
              .doc = "scheme = \"conservative\" only: stages of a step; one: values at faces and walls of the "
-                    "middle of the step; three: SSP-RK3, whose steps take up to twice the time and "
-                    "are up to sqrt(axes) times as long",
+                    "middle of the step; three: SSP-RK3, whose steps take up to 1.7 times the time",
              .example = R"("three")",
              .choices = {"one", "three"},
              .when = [](const Method& m) { return m.scheme == "conservative"; }},
