@@ -19,11 +19,6 @@ namespace recoil::config {
 
 namespace {
 
-/// What makes one number of a record (record/quantities.cpp). The first ones keep the unit of the column.
-constexpr std::array<std::string_view, 11> reductions{"peak",  "last",     "max",   "min",     "mean", "rms",
-                                                      "error", "pullback", "slope", "arrival", "until"};
-constexpr int keeping_unit = 8;
-
 /// Units that depend on the geometry; gauges declare them by these names.
 constexpr std::array<std::string_view, 6> sums{"mass", "energy", "area", "force", "momentum", "volume"};
 
@@ -39,10 +34,10 @@ Named named_in(const std::string& quantity, const std::string& gauge) {
   if (begin < std::min(at, quantity.size())) named.column = quantity.substr(begin, at - begin);
   const std::size_t dot = named.column.rfind('.');
   const std::string tail = dot == std::string::npos ? "" : named.column.substr(dot + 1);
-  const auto found = std::ranges::find(reductions, tail);
-  named.has_value = at != std::string::npos || found != reductions.end();
-  named.keeps_unit = found == reductions.end() || found - reductions.begin() < keeping_unit;
-  if (found != reductions.end()) named.column.erase(dot);
+  const Reduction* found = find_reduction(tail);
+  named.has_value = at != std::string::npos || found;
+  named.keeps_unit = !found || found->keeps_unit;
+  if (found) named.column.erase(dot);
   return named;
 }
 

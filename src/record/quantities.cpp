@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "config/expected_columns.hpp"
 #include "config/units.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
@@ -38,9 +39,6 @@ struct Request {
   std::string quantity, gauge, column, reduction, argument;
 };
 
-constexpr const char* reductions[] = {"at",  "peak",  "last",    "max",   "min",   "mean",
-                                      "rms", "slope", "arrival", "until", "error", "pullback"};
-
 Request parse_request(const std::string& quantity) {
   Request r;
   r.quantity = quantity;
@@ -57,7 +55,7 @@ Request parse_request(const std::string& quantity) {
   r.column = name.substr(dot + 1);
   const std::size_t last = r.column.rfind('.');
   const std::string tail = last == std::string::npos ? "" : r.column.substr(last + 1);
-  if (std::find(std::begin(reductions), std::end(reductions), tail) != std::end(reductions)) {
+  if (config::find_reduction(tail)) {
     r.reduction = tail;
     r.column.erase(last);
   } else if (at != std::string::npos) {

@@ -88,7 +88,9 @@ class Shapes(unittest.TestCase):
                 sides = "".join(f'{axis} = ["-50 mm", "50 mm"]\n' for axis in "xyz")
                 moves = "" if "velocity" in block else 'velocity = { x = "1 m/s" }\n'
                 case.write_text(f'[domain]\ngeometry = "3d"\n{sides}[mesh]\nfinest = "2 mm"\n[time]\nend = "1 us"\n'
-                                f'[body.a]\nrigid = true\n{textwrap.dedent(block)}{moves}')  # fmt: skip
+                                f'[body.a]\nrigid = true\n{textwrap.dedent(block)}{moves}'
+                                '[body.matter]\nmaterial = "copper/seed"\n'
+                                'shape = { kind = "sphere", centre = { x = "-46 mm", y = "-46 mm", z = "-46 mm" }, radius = "3 mm" }\n')  # fmt: skip
                 done = subprocess.run([os.environ["RECOIL_PROGRAM"], "check", case], capture_output=True, text=True, timeout=60)
                 self.assertNotIn("error", done.stderr, block)
                 self.assertIn("cost", done.stdout, block + done.stdout + done.stderr)

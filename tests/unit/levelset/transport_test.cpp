@@ -147,7 +147,7 @@ TYPED_TEST(Following, PhiFollowsTheVolume) {
     follow_volume(state, state.bodies[0], s, 0.1, scratch);
   }
   for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
-    const bool inside = std::abs(b.phi[k]) < carried_cells * this->grid.dx;
+    const bool inside = std::abs(b.phi[k]) < 2 * this->grid.dx;  // each step redistances what is farther
     ASSERT_NEAR(b.phi_next[k], b.phi[k] - (inside ? 0.1 * h : 0), 1e-14);
   });
 }

@@ -89,9 +89,10 @@ TEST(OneStage, AWaveConvergesAtSecondOrder) {
   EXPECT_GT(std::log2(coarse / fine), 1.8) << coarse << ' ' << fine;
 }
 
+/// Its steps are 1.43 times as long as by the rule of docs/decisions/0036, with which the limit was 4e-3.
 TEST(OneStage, AWaveAcrossTheMeshConvergesAtSecondOrder) {
   const double coarse = error_of_a_wave<2>(20), fine = error_of_a_wave<2>(40);
-  EXPECT_LT(fine, 4e-3);
+  EXPECT_LT(fine, 8e-3);
   EXPECT_GT(std::log2(coarse / fine), 1.8) << coarse << ' ' << fine;
 }
 
