@@ -127,6 +127,7 @@ export interface Summary {
   exit: number;
   verdict: string;
   reasons: Reason[];
+  cures?: string[];
   not_judged: string[];
   remarks: string[];
   time_us: number | null;

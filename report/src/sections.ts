@@ -92,6 +92,7 @@ export function verdict(run: Run): HTMLElement {
     facts(run),
     s ? reasons(s.reasons) : null,
     run.crash ? h("pre", { class: "crash", tabindex: "0" }, run.crash) : null,
+    s?.cures ? lines(s.cures, "What helps.") : null,
     s ? lines(s.remarks, "Remarks.") : null,
     s ? lines(s.not_judged, "Not judged.") : null,
     s ? expectations(s.expect) : null,

@@ -1,5 +1,9 @@
 #include "config/case.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "config/declare/kinds.hpp"
 #include "config/declare/part.hpp"
 
@@ -124,6 +128,22 @@ std::vector<WrittenTable> written_tables(const Case& c) {
   std::vector<WrittenTable> all;
   write_tables(c, "", {c.domain.geometry, axes_of(c.domain.geometry)}, all);
   return all;
+}
+
+double largest_closing_speed(const Case& c) {
+  const auto velocities_of = [](const Body& body) {
+    std::vector<Vector> all{body.velocity};
+    for (const TimedVelocity& at : body.velocity_history) all.push_back(at.velocity);
+    return all;
+  };
+  double largest = 0;
+  for (const Body& a : c.bodies)
+    for (const Body& b : c.bodies)
+      for (const Vector& u : velocities_of(a))
+        for (const Vector& v : velocities_of(b))
+          largest = std::max(largest, std::hypot(u[0] - v[0], u[1] - v[1], u[2] - v[2]) +
+                                          std::abs(a.radial_velocity) + std::abs(b.radial_velocity));
+  return largest;
 }
 
 }  // namespace recoil::config

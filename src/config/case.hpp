@@ -43,6 +43,9 @@ struct Case {
   static Entries<Case> keys();
 };
 
+/// The largest difference of the velocities of two bodies, at the start or by a history [m/s]; without spins.
+double largest_closing_speed(const Case& c);
+
 /// All tables of a case with all their values, defaults as well, but materials.
 std::vector<WrittenTable> written_tables(const Case& c);
 

@@ -49,8 +49,8 @@ struct Work {
 
   Row<Dim> row(std::ptrdiff_t first, std::ptrdiff_t step, int count) const {
     return {
-        primitive, stress, impedance,    wide,  first,         step, count, ahead.dt > 0 ? &ahead : nullptr,
-        fails,     failed, never_yields, shear, beside_contact};
+        primitive, stress, impedance,    wide,  first,          step, count, ahead.dt > 0 ? &ahead : nullptr,
+        fails,     failed, never_yields, shear, beside_contact, role};
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "core/scratch.hpp"
 #include "cutcell/geometry.hpp"
@@ -68,6 +69,7 @@ void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t a
   std::array<double, 6 * C::primitives> value{};
   std::array<double, 6 * C::primitives> change{}, across{};
   std::array<double, 6> stress{}, impedance{}, loading{}, shear{};
+  const std::array<std::uint8_t, 6> role{};  // its stencil is no regular one
   for (std::size_t s = 0; s < 6; ++s) {
     for (std::size_t c = 0; c < C::primitives; ++c) {
       value[c * 6 + s] = w.primitive[c * w.wide + from[s]];
@@ -85,6 +87,7 @@ void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t a
   Row<Dim> row{value.data(), stress.data(), impedance.data(), 6, 3, 1, 1, ahead.dt > 0 ? &ahead : nullptr,
                w.fails};
   if (w.shear) row.shear = shear.data();
+  row.role = role.data();
   counters.first_order_faces += Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out);
 }
 

@@ -54,6 +54,7 @@ struct Row {
   const std::uint8_t* never_yields = nullptr;    // 1 in cells of matter that never yields; null: in none
   const double* shear = nullptr;                 // [cells] shear modulus; null: the same in every state
   const std::uint8_t* beside_contact = nullptr;  // 1 in cells whose faces lose less; null: in none
+  const std::uint8_t* role = nullptr;            // Role of the cells; null: all are regular
 
   std::size_t carried() const { return carried_contents<Dim>(fails); }
 };

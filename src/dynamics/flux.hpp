@@ -8,6 +8,7 @@
 #include "dynamics/half_step/face_half_step.hpp"
 #include "dynamics/primitives.hpp"
 #include "kernels/row_kernels.hpp"
+#include "kernels/strong_shocks.hpp"
 #include "material/eos/any_eos.hpp"
 
 namespace recoil {
@@ -31,6 +32,25 @@ void reconstruct_by_modulus(const Row<Dim>& in, const double* tau, const double*
   alignas(64) double impedance[row_room];
   for (int i = 0; i < in.count; ++i) impedance[i] = std::sqrt(rho[i] * in.shear[in.first + i]);
   reconstruct_waves(tau, u, impedance, in.step, in.count, {}, tau_ends, u_ends);
+}
+
+/// Flattens the values at the faces of a row where a strong shock passes; see find_strong_shocks().
+template <int Dim, int Axis>
+void flatten_strong_shocks(const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
+  using C = Components<Dim>;
+  const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
+  const ShockRow row{in.stress + in.first,
+                     of(C::u + Axis),
+                     in.impedance + in.first,
+                     of(C::rho),
+                     in.role ? in.role + in.first : nullptr,
+                     regular,
+                     in.step};
+  alignas(64) double kept[row_room];
+  if (!find_strong_shocks(row, in.count, kept)) return;
+  for (int c = 0; c < static_cast<int>(C::primitives); ++c)
+    flatten(of(c), kept, in.count, {low.value[c] + to, high.value[c] + to});
+  flatten(in.stress + in.first, kept, in.count, {low.stress + to, high.stress + to});
 }
 
 }  // namespace detail
@@ -88,6 +108,7 @@ void reconstruct(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, in
   }
   if constexpr (Dim == 3 && Axis == 2)
     detail::reconstruct_turned(of(C::s), of(C::s + 1), in.step, in.count, cells, ends(C::s), ends(C::s + 1));
+  detail::flatten_strong_shocks<Dim, Axis>(in, to, low, high);
   if (in.ahead) detail::move_half_step<Dim, Axis, Shear>(shear_modulus, eos.barotropic, in, to, low, high);
   for (int c = C::ep; c < static_cast<int>(in.carried()); ++c)
     detail::keep_positive(of(c), in.count, ends(c));

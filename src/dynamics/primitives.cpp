@@ -23,6 +23,9 @@ namespace {
 // multiples of the ends of the DensityRange (of the stages of a step only: at its start the donor's fill has
 // been judged).
 constexpr double least_averaged = 0.1, thinnest_averaged = 0.4, densest_averaged = 1.2;
+// The mean of Runge and Kutta of a fragment that has lost more than this part of its volume in the step is
+// one of an old volume and a negative one: it lies outside of the two states.
+constexpr double least_of_old = 0.5;
 constexpr double thinnest_used = 0.4;  // likewise: a fragment below it is of no use to fits and stencils ...
 constexpr double thinnest_failed = 1e-3;  // ... unless it has failed (of rho0): then most of it may be void
 constexpr double near_front =
@@ -102,7 +105,7 @@ RECOIL_MULTIVERSION void row_primitives(const EosModel& eos, std::size_t first, 
 
 template <int Dim, class EosModel>
 void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
-                   Counters& counters) {
+                   Counters& counters, bool is_mean) {
   BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   const auto n = static_cast<std::size_t>(layout.size());
@@ -129,7 +132,8 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
     for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
       const double volume = b.volume[k], rho = b.contents[k] / volume;
       const bool donor = (b.role[k] & donates) != 0;
-      if (donor && volume > least_averaged * grid.full_volume(i) && rho > thinnest * eos.rho0 &&
+      const bool left = !is_mean || volume > least_of_old * b.volume_old[k];
+      if (donor && left && volume > least_averaged * grid.full_volume(i) && rho > thinnest * eos.rho0 &&
           rho < densest_averaged * range.most * eos.rho0) {
         if (count > 0 && k != first + count) flush();
         if (count == 0) first = k;
@@ -142,7 +146,8 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
         throw StateError(
             body.name, point_of(state, slot, i - cells.lo),
             "the density of " + body.name + " is not a number at " + place_of(state, slot, i - cells.lo));
-      if (volume > least_averaged * grid.full_volume(i)) ++counters.averages_kept;  // of the stage before
+      if (left && volume > least_averaged * grid.full_volume(i))
+        ++counters.averages_kept;  // of the stage before
     });
     flush();
   }
@@ -175,10 +180,12 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
 }
 
 template <int Dim>
-void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters) {
+void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters,
+                        bool is_mean) {
   BodyBlock<Dim>& b = body.at(slot);
   if (b.average.empty()) b.average.swap(b.stencil);  // which are over: they share their memory
-  std::visit([&](const auto& eos) { average_block(state, eos, body, slot, counters); }, body.material.eos);
+  std::visit([&](const auto& eos) { average_block(state, eos, body, slot, counters, is_mean); },
+             body.material.eos);
   if (can_fail(body.material.damage)) relieve_averages(state, body, slot);
 }
 
@@ -244,7 +251,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
           const bool dust = fails && p == 0 && b.average[C::damage * n + k] >= failed_damage;
           if (!std::isfinite(sum + c2) || !(rho > 0) || !(dust || matter.admissible(rho)))
             refuse_state(state, body, slot, i - state.mesh.block(slot).cells.lo, rho, p);
-          if (c2 < least) ++counters.floored_sound_speeds;
+          if (c2 < least && !dust) ++counters.floored_sound_speeds;
           if (beside_rigid && b.phi[k] > -near_rigid * grid.dx)
             sum = std::max(sum, swept_speed(state, grid.centre(i)));
           const double shear = follows ? modulus_in(k) : g;
@@ -262,9 +269,9 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   return fastest / state.grid(slot).dx;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                         \
-  template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);       \
-  template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&); \
+#define RECOIL_INSTANTIATE(Dim)                                                               \
+  template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);             \
+  template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, bool); \
   template double fastest_signal<Dim>(const State<Dim>&, const Body<Dim>&, int, double, Counters&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -38,8 +38,11 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
 
 /// Primitives of the averages of all donors of a block, into BodyBlock::average. @throws PhysicsError for a
 /// state that is not finite or has no density.
+/// @param is_mean whether contents and volumes are a Runge-Kutta mean with those of the start of the step;
+/// then fragments that have lost half of their volume since keep the average of the stage before.
 template <int Dim>
-void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
+void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters,
+                        bool is_mean = false);
 
 /// Largest (sum over axes of |u_d| + sound c_L)/dx [1/s] over fragments of at least half a cell.
 /// @param sound how often the speed of sound counts (sound_in_step)

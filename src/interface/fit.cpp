@@ -22,6 +22,11 @@ namespace {
 // The fitted density leaves the donors' mean at most so far, in parts of it; what is cut is counted.
 constexpr double deepest_rarefaction = 0.4, highest_compression = 0.6;
 
+// Values of a fit leave the range of its donors by this part of it where they are calm.
+constexpr double slack_of_fits = 0.5;
+// Parts of the bulk modulus that the pressures of calm donors differ by at most, and those in a strong shock.
+constexpr double calm_range = 0.05, shocked_range = 0.1;
+
 /// A cut cell whose matter is too little to be fitted moves with what it holds.
 template <int Dim>
 void lone_fit(const Body<Dim>& body, const BodyBlock<Dim>& b, int cell, double full, Wall<Dim>& wall) {
@@ -120,11 +125,23 @@ RECOIL_MULTIVERSION void sum_donors(const Packed<count>* values, const Donor<Dim
 template <int Dim, class EosModel>
 constexpr std::size_t fitted = EosModel::barotropic ? Components<Dim>::primitives : Components<Dim>::contents;
 
-/// Whether surface_state() has to take a faster sound than that of this state.
+/// Whether surface_state() has to take a faster sound than that of this state. Voids have no stress to need
+/// it for.
 template <int Dim>
 bool soft_for_its_stress(const Material& material, const Primitives<Dim>& w) {
   using C = Components<Dim>;
-  return std::abs(w[C::p]) > w[C::rho] * sound_speed_squared(material.eos, w[C::rho], w[C::p], w[C::crushed]);
+  return w[C::p] != 0 &&
+         std::abs(w[C::p]) > w[C::rho] * sound_speed_squared(material.eos, w[C::rho], w[C::p], w[C::crushed]);
+}
+
+/// 1 where the donors of a fit are calm, 0 in a strong shock: a line through a front of 60 GPa would end in a
+/// tension that throws the surface away. Gases, which have no tension, are calm.
+/// @param range that the pressures of the donors differ by [Pa]. @param modulus at their mean [Pa]; that at
+/// rest counts where it is softer.
+double calm_part(const Material& material, double range, double modulus) {
+  if (!has_tension(material.eos)) return 1;
+  const double c0 = bulk_sound_speed(material), softer = std::min(modulus, density(material) * c0 * c0);
+  return std::clamp((shocked_range * softer - range) / ((shocked_range - calm_range) * softer), 0.0, 1.0);
 }
 
 template <int Dim, class EosModel>
@@ -134,21 +151,26 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const Donor<Dim>* dono
   constexpr std::size_t count = fitted<Dim, EosModel>;
   DonorSums<Dim, count> sums;
   sum_donors<Dim, count>(values, donors, wall.donors, sums);
+  const auto mean_of = [&](std::size_t c) { return sums.mean[c] + sums.base[c]; };
+  const double mean_p = mean_of(C::p);
+  const auto& matter = frozen(eos, mean_of(C::crushed));
+  const double c2 =
+      std::max(matter.sound_speed_squared(mean_of(C::rho), mean_p), least_wall_sound_squared(matter));
+  const double outside =
+      slack_of_fits * calm_part(body.material, sums.high[C::p] - sums.low[C::p], mean_of(C::rho) * c2);
   for (std::size_t c = 0; c < count; ++c) {
-    const double mean = sums.mean[c] + sums.base[c], low = sums.low[c], high = sums.high[c];
+    const double mean = mean_of(c), low = sums.low[c], high = sums.high[c];
     for (std::size_t d = 0; d < Dim; ++d) wall.gradient[c][static_cast<int>(d)] = sums.gradient[d][c];
     wall.range[c] = high - low;
-    const double at_surface = mean - dot(wall.gradient[c], wall.donor_centre), slack = 0.5 * (high - low);
+    const double at_surface = mean - dot(wall.gradient[c], wall.donor_centre), slack = outside * (high - low);
     wall.value[c] = c == C::rho || c >= C::ep ? mean : std::clamp(at_surface, low - slack, high + slack);
   }
-  const double rho = wall.value[C::rho], mean_p = sums.mean[C::p] + sums.base[C::p];
+  const double rho = wall.value[C::rho];
   if (const auto gas = gas_isentrope(body.material.eos, rho, mean_p, wall.value[C::p])) {
     if (!gas->reached) ++counters.clamped_fit_densities;
     wall.value[C::rho] = gas->rho;
     wall.value[C::p] = gas->p;
   } else {
-    const auto& matter = frozen(eos, wall.value[C::crushed]);
-    const double c2 = std::max(matter.sound_speed_squared(rho, mean_p), least_wall_sound_squared(matter));
     const double change = (wall.value[C::p] - mean_p) / c2,
                  kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
     if (kept != change) ++counters.clamped_fit_densities;

@@ -6,7 +6,8 @@
 namespace recoil {
 
 /// The fitted primitives at the surface points from the averages of this stage, limited to the donors' range
-/// widened by half of it; plastic strain, temperature rise and entropy are the weighted means only.
+/// widened by half of it where they are calm; plastic strain, temperature rise and entropy are the weighted
+/// means only.
 template <int Dim>
 void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters, Scratch& scratch);
 

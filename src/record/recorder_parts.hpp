@@ -170,7 +170,7 @@ struct Recorder<Dim>::Parts {
         budget(names, rigid, units.balanced),
         fields(make_folder("fields"), case_name(c), c.output.fields.variables),
         fragments(names, without_cells(state), units),
-        survey(state, c.limits),
+        survey(state, c.limits, config::largest_closing_speed(c)),
         history_due(c.output.history.every),
         fields_due(c.output.fields.every),
         pairs(pair_count()),

@@ -17,17 +17,27 @@ namespace recoil {
 
 namespace {
 
-constexpr double whole_fill = 0.99;  // part of a cell from which on it counts as whole
-constexpr double judged_fill = 0.5;  // part of a cell from which on strain and heat are judged
-constexpr double no_strain = -1e-6;  // plastic strain below it is negative, beyond rounding
-constexpr double no_heat = 1e-3;     // K below the start, by plastic work
-constexpr double noise = 3;          // K below the isentrope: 5 MPa of noise at rest in copper is 0.7 K
+constexpr double whole_fill = 0.99;        // part of a cell from which on it counts as whole
+constexpr double judged_fill = 0.5;        // part of a cell from which on strain and heat are judged
+constexpr double no_strain = -1e-6;        // plastic strain below it is negative, beyond rounding
+constexpr double no_heat = 1e-3;           // K below the start, by plastic work
+constexpr double least_noise = 3;          // K below the isentrope: 5 MPa of noise at rest in copper is 0.7 K
+constexpr double noise_of_stress = 0.005;  // of the stress of the impact, that the temperature may be off by
 constexpr long recent_steps = 100;
 
 /// Bulk modulus at rest [Pa].
 double bulk_modulus(const Material& m) {
   const double c = bulk_sound_speed(m);
   return density(m) * c * c;
+}
+
+/// How far below the isentrope a temperature may lie [K]: as far as an error of the pressure takes it, of a
+/// small part of the stress `rho c V/2` of an impact of like on like.
+double noise_of(const Material& m, double closing_speed) {
+  const double rho = density(m), error = noise_of_stress * 0.5 * rho * bulk_sound_speed(m) * closing_speed;
+  const double per_heat = (pressure(m.eos, rho, 1e3) - pressure(m.eos, rho, 0)) / 1e3;  // dp/de [kg/m3]
+  if (!(per_heat > 0)) return least_noise;
+  return std::max(least_noise, error / (per_heat * m.thermal.specific_heat));
 }
 
 /// What is solid of a fragment: all of it, but of failed matter.
@@ -40,18 +50,22 @@ double solid_part(const Body<Dim>& body, int slot, std::size_t k) {
 
 }  // namespace
 
+double borne_tension(const Material& material, const config::Limits& limits) {
+  if (can_fail(material.damage) || !has_tension(material.eos)) return infinite;
+  const double spall = material.facts.spall_strength;
+  return std::isnan(spall) ? limits.largest_tension * bulk_modulus(material) : limits.spall_strength * spall;
+}
+
 template <int Dim>
-StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& limits)
+StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& limits, double closing_speed)
     : most_fill_(limits.volume_fraction), lines_(state.bodies.size()) {
   for (const Body<Dim>& body : state.bodies) {
     const Material& m = body.material;
     Bounds& b = bounds_.emplace_back();
     if (body.rigid) continue;
     const Facts& facts = m.facts;
-    b.tension = can_fail(m.damage)                 ? infinite
-                : std::isnan(facts.spall_strength) ? limits.largest_tension * bulk_modulus(m)
-                                                   : limits.spall_strength * facts.spall_strength;
-    if (!has_tension(m.eos)) b.tension = infinite;
+    b.tension = borne_tension(m, limits);
+    b.noise = noise_of(m, closing_speed);
     b.softens = !std::isnan(melting_temperature(m.strength, 1));
     b.melting = std::isnan(facts.melting_temperature) ? infinite : facts.melting_temperature;
   }
@@ -116,7 +130,7 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
   const double solid = p.density * p.distension / (1 - p.void_fraction);
   const double coldest = by_energy ? law.on_isentrope(solid) : law.thermal().initial_temperature;
   if (!body.detonation)  // temperatures of products are not known
-    note(StateCheck::negative_heat, coldest - (by_energy ? noise : no_heat) - p.temperature,
+    note(StateCheck::negative_heat, coldest - (by_energy ? bounds_[m].noise : no_heat) - p.temperature,
          p.temperature - coldest, 0);
   if (fill < whole_fill) return;
   const double rho0 = density(body.material);

@@ -15,12 +15,18 @@
 
 namespace recoil {
 
+/// The tension [Pa] beyond which a material counts as torn: its spall strength times what [limits] allows, or
+/// a part of its bulk modulus where that is not known. Infinite where it has damage, or no tension.
+double borne_tension(const Material& material, const config::Limits& limits);
+
 /// Looks for states that no material has, in all cells of every survey_steps-th step: so it costs nothing
 /// that one could measure. What it finds does not depend on the number of ranks or threads.
 template <int Dim>
 class StateSurvey {
  public:
-  StateSurvey(const State<Dim>& state, const config::Limits& limits);
+  /// @param closing_speed of the bodies at the start [m/s]: what noise of the temperature is allowed goes
+  /// with it.
+  StateSurvey(const State<Dim>& state, const config::Limits& limits, double closing_speed = 0);
 
   /// Looks at the state of now, which stands for the steps since the last look. Not collective.
   void look(const State<Dim>& state, parallel::Team* team);
@@ -78,6 +84,7 @@ class StateSurvey {
   struct Bounds {
     double tension = 0;    // Pa
     double melting = 0;    // K; infinite: not known
+    double noise = 0;      // K, that a temperature by energy may be below the isentrope
     bool softens = false;  // the strength model knows the melting temperature
   };
   std::vector<Bounds> bounds_;  // of each body

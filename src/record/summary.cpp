@@ -116,6 +116,7 @@ void write_summary(const std::filesystem::path& path, const Summary& s) {
   j["exit"] = s.exit;
   j["verdict"] = name_of(s.verdict.kind);
   j["reasons"] = reasons_json(s.verdict.reasons);
+  j["cures"] = s.verdict.cures;
   j["not_judged"] = s.verdict.notes;
   j["remarks"] = s.verdict.remarks;
   j["time_us"] = number(s.time * 1e6);

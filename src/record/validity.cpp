@@ -60,6 +60,19 @@ constexpr std::array<StateText, state_checks> state_texts{
      {"overfilled-cells", "held more matter than there is room", "cells", 1, &L::overfilled_cells},
      {"molten", "were molten, and without strength", "K", 1, nullptr}}};
 
+/// What helps against a reason, where that is known.
+struct Cure {
+  const char *what, *text;
+};
+constexpr std::array cures{Cure{"tension",
+                                "matter breaks if its material has damage (`recoil explain "
+                                "'material.*.damage'`; `recoil new spall` writes an "
+                                "example); without it the states after the tension are those of no material"},
+                           Cure{"melting",
+                                "temperature = \"energy\" in [material.*.thermal] lets Johnson-Cook's "
+                                "strength see the heat of shocks"},
+                           Cure{"thickness", "a finer mesh.finest"}};
+
 std::string percent(double part) { return fmt::format("{:.2g} %", 100 * part); }
 
 std::string place_text(const std::array<double, 3>& at, int dimensions) {
@@ -222,6 +235,9 @@ Verdict judge(const Evidence& e, const config::Limits& limits) {
   judge_thickness(e, limits, v);
   std::stable_sort(v.reasons.begin(), v.reasons.end(),
                    [](const Reason& a, const Reason& b) { return a.stops && !b.stops; });
+  for (const Cure& cure : cures)
+    if (std::ranges::any_of(v.reasons, [&](const Reason& r) { return r.what == cure.what; }))
+      v.cures.emplace_back(cure.text);
   if (!v.reasons.empty()) v.kind = v.reasons[0].stops ? Verdict::Kind::stopped : Verdict::Kind::doubtful;
   return v;
 }

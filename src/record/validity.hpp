@@ -78,6 +78,7 @@ struct Verdict {
   std::vector<Reason> reasons;
   std::vector<std::string> notes;    ///< what was not judged, and why
   std::vector<std::string> remarks;  ///< what is told without being judged
+  std::vector<std::string> cures{};  ///< what helps against some of the reasons
 };
 const char* name_of(Verdict::Kind kind);
 

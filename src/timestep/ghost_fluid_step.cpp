@@ -20,7 +20,7 @@ double advance_ghost_fluid(State<Dim>& state, const Stepping& stepping, double u
     update_whole_cells(step, FaceScheme::weno_hllc, dt, stage.weight);
     average_inadmissible_states(step);
     return_to_yield(step, dt, stage.old_weight);  // then the Runge-Kutta mean
-    refresh_averages(step);
+    refresh_averages(step, 0);
   }
   fail_at_once(step);
   find_ghosts(step, dt, 0);  // of the new state, for the cells that the surfaces uncover

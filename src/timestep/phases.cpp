@@ -95,10 +95,11 @@ void average_states(StepRun<Dim>& step) {
 }
 
 template <int Dim>
-void refresh_averages(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"refresh averages", {}, contents | volume | role, average | stencil};
+void refresh_averages(StepRun<Dim>& step, double old_weight) {
+  static constexpr FieldAccess access{
+      "refresh averages", {}, contents | volume | volume_old | role, average | stencil};
   step.for_each_body(StepPhase::averages, access, [&](Body<Dim>& body, int slot, Scratch&) {
-    average_primitives(step.state(), body, slot, step.counters(slot));
+    average_primitives(step.state(), body, slot, step.counters(slot), old_weight > 0);
   });
 }
 
@@ -359,7 +360,7 @@ void update_bands(StepRun<Dim>& step) {
 
 #define RECOIL_INSTANTIATE(Dim)                                               \
   template void average_states<Dim>(StepRun<Dim>&);                           \
-  template void refresh_averages<Dim>(StepRun<Dim>&);                         \
+  template void refresh_averages<Dim>(StepRun<Dim>&, double);                 \
   template double choose_length<Dim>(StepRun<Dim>&, const Stepping&, double); \
   template void keep_old<Dim>(StepRun<Dim>&);                                 \
   template void advect_surfaces_half<Dim>(StepRun<Dim>&, double);             \

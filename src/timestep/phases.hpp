@@ -64,9 +64,10 @@ void return_to_yield(StepRun<Dim>& step, double dt, double old_weight, double mo
 /// At the end of the stages: damage is at most 1, and matter fails whose damage model has no rate.
 template <int Dim>
 void fail_at_once(StepRun<Dim>& step);
-/// Primitives of the new averages, with the roles of the step.
+/// Primitives of the new averages, with the roles of the step. @param old_weight of the Runge-Kutta mean that
+/// they are.
 template <int Dim>
-void refresh_averages(StepRun<Dim>& step);
+void refresh_averages(StepRun<Dim>& step, double old_weight);
 
 /// To the end of the step; free ones with what their contacts have given them.
 template <int Dim>

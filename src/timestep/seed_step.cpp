@@ -21,7 +21,7 @@ double advance_seed(State<Dim>& state, const Stepping& stepping, double until, E
     update_classic(step, FaceScheme::eno_llf, stage, last, dt);
     average_inadmissible_states(step);
     return_to_yield(step, stage.length * dt, 0);
-    refresh_averages(step);
+    refresh_averages(step, 0);
   }
   fail_at_once(step);
   find_seed_ghosts(step, stepping.kappa, dt, 0);  // of the new state, for the cells that the surfaces uncover

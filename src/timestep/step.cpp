@@ -31,7 +31,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
     redistribute_small_fragments(step);
     average_inadmissible_states(step, stage.most_damage);
     return_to_yield(step, dt, stage.old_weight, stage.most_damage);  // then the Runge-Kutta mean
-    refresh_averages(step);
+    refresh_averages(step, stage.old_weight);
   }
   fail_at_once(step);
 

@@ -170,6 +170,7 @@ void check_logic(LoadedCase& loaded) {
   check_materials(loaded);
   check_gases(loaded);
   if (!loaded.found.has_errors()) check_motion(loaded);  // shocks in matter that exists
+  if (!loaded.found.has_errors()) check_tension(loaded);
 }
 
 }  // namespace recoil::app

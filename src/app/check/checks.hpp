@@ -31,6 +31,9 @@ void check_gases(LoadedCase& loaded);
 /// Nothing that moves, bodies that fly apart, impacts that no equation of state reaches.
 void check_motion(LoadedCase& loaded);
 
+/// Plates without damage that releases will pull harder than their material bears.
+void check_tension(LoadedCase& loaded);
+
 /// Bodies that an open edge of the domain cuts.
 void check_edges(LoadedCase& loaded);
 

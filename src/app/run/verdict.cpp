@@ -57,6 +57,7 @@ void tell_validity(Reporter& reporter, const Verdict& v) {
   const std::string name = name_of(v.kind);
   reporter.insist(fmt::format("verdict: {}", name));
   for (const Reason& r : v.reasons) reporter.insist(fmt::format("  {}: {}", name, r.text));
+  for (const std::string& cure : v.cures) reporter.insist("   = help: " + cure);
   for (const auto* list : {&v.remarks, &v.notes})
     for (const std::string& line : *list) reporter.say("  " + line);
 }

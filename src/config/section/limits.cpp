@@ -51,7 +51,8 @@ Entries<Limits> Limits::keys() {
            "plastic strains or heatings below zero that were set to zero"),
       part("negative-plastic-strain", &L::negative_plastic_strain, "plastic strain below zero"),
       part("negative-heating", &L::negative_heating,
-           "temperature below that of the start; by energy, 3 K below the isentrope through the start"),
+           "temperature below that of the start; by energy, below the isentrope through the start by more "
+           "than noise"),
       part("overfilled-cells", &L::overfilled_cells, "cells with more matter than volume-fraction"),
       part("volume-fraction", &L::volume_fraction, "of all bodies in a cell", "1.1"),
       part("density", &L::density, "whole cells with a density outside of 0.5 to 2.5 of that at rest"),

@@ -36,8 +36,8 @@ State<2> full_of(const Material& m, double extra, double tension = 0) {
   return state;
 }
 
-BodyEvidence seen(const State<2>& state, const config::Limits& limits = {}) {
-  StateSurvey<2> survey(state, limits);
+BodyEvidence seen(const State<2>& state, const config::Limits& limits = {}, double closing_speed = 0) {
+  StateSurvey<2> survey(state, limits, closing_speed);
   survey.look(state, nullptr);
   return survey.own_evidence(state, nullptr).at(0);
 }
@@ -96,6 +96,13 @@ TEST(StateSurvey, ColderThanTheIsentropeIsCounted) {
   EXPECT_EQ(count(seen(full_of(m, 0)), StateCheck::negative_heat), 0);
   EXPECT_EQ(count(seen(full_of(m, -900)), StateCheck::negative_heat), 0) << "noise";
   EXPECT_GT(count(seen(full_of(m, -3e3)), StateCheck::negative_heat), 0);
+}
+
+// Copper at 1 km/s: half a per cent of rho c V/2 = 17.6 GPa, over Gamma rho c_v, is 12.7 K.
+TEST(StateSurvey, NoiseOfTheTemperatureGoesWithTheImpact) {
+  const Material m = copper_with(samples::copper().strength, Thermal::Rule::energy);
+  EXPECT_EQ(count(seen(full_of(m, -4e3), {}, 1000), StateCheck::negative_heat), 0);
+  EXPECT_GT(count(seen(full_of(m, -6e3), {}, 1000), StateCheck::negative_heat), 0);
 }
 
 }  // namespace

@@ -125,5 +125,14 @@ TEST(Validity, AnErrorStops) {
   EXPECT_EQ(v.reasons.at(0).text, "the density of flyer is not a number");
 }
 
+TEST(Validity, WhatHelpsIsSaidOnce) {
+  Evidence e = flyer_and_target();
+  for (BodyEvidence& b : e.bodies) b.states[static_cast<std::size_t>(StateCheck::tension)].count = 500000;
+  const Verdict v = judged(e);
+  EXPECT_EQ(v.reasons.size(), 2U);
+  ASSERT_EQ(v.cures.size(), 1U);
+  EXPECT_NE(v.cures[0].find("damage"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace recoil

@@ -1,0 +1,70 @@
+#include "kernels/strong_shocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace recoil::detail {
+namespace {
+
+constexpr double rho = 8000, sound = 5000;
+
+/// Nine cells with a compression in the middle; those that find_strong_shocks() looks at are two from the
+/// ends.
+struct Shocked {
+  static constexpr int cells = 9, margin = 2, looked_at = cells - 2 * margin;
+  std::array<double, cells> stress{}, u{}, z{}, density{};
+  std::array<std::uint8_t, cells> own{};
+  std::array<double, looked_at> kept{};
+  bool any = false;
+
+  /// @param jump of stress from the fourth cell to the sixth, of rho c^2. @param lone a cell without its own
+  /// average.
+  explicit Shocked(double strength, double closing = 1, int lone = -1) {
+    for (std::size_t i = 0; i < cells; ++i) {
+      const double part = i < 4 ? 0 : i == 4 ? 0.5 : 1;
+      density[i] = rho, z[i] = rho * sound, own[i] = 1;
+      stress[i] = -strength * rho * sound * sound * (1 - part);
+      u[i] = -closing * part;
+    }
+    if (lone >= 0) own[static_cast<std::size_t>(lone)] = 0;
+    any = find_strong_shocks({stress.data() + margin, u.data() + margin, z.data() + margin,
+                              density.data() + margin, own.data() + margin, 1, 1},
+                             looked_at, kept.data());
+  }
+};
+
+TEST(StrongShocks, WeakOnesAndExpansionsLeaveAllAsItIs) {
+  EXPECT_FALSE(Shocked(0.0999).any);
+  EXPECT_FALSE(Shocked(0.5, -1).any) << "the matter moves apart";
+}
+
+TEST(StrongShocks, GrowWithTheJumpAndKeepAPart) {
+  const Shocked half_way(0.15), strong(0.4);
+  EXPECT_NEAR(half_way.kept[2], 0.5, 1e-12);
+  EXPECT_DOUBLE_EQ(strong.kept[2], 0.3) << "inside of matter";
+  EXPECT_DOUBLE_EQ(strong.kept[1], 0.3) << "half of the jump";
+  EXPECT_EQ(strong.kept[0], 1) << "and none";
+}
+
+TEST(StrongShocks, AreFirstOrderBesideGhostValues) {
+  EXPECT_DOUBLE_EQ(Shocked(0.4, 1, 2).kept[2], 0);
+  EXPECT_DOUBLE_EQ(Shocked(0.4, 1, 1).kept[2], 0.3) << "three cells away";
+}
+
+TEST(StrongShocks, FlattenKeepsTheBitsOfWhatIsLeft) {
+  const std::array<double, 3> q{0.1, 0.2, 0.3}, kept{1, 0.25, 0};
+  std::array<double, 3> low{0.3 / 7, 0.1, 0.1}, high{0.9 / 7, 0.6, 0.7};
+  const double untouched = low[0];
+  flatten(q.data(), kept.data(), 3, {low.data(), high.data()});
+  EXPECT_EQ(low[0], untouched);
+  EXPECT_NEAR(low[1], 0.175, 1e-15);
+  EXPECT_NEAR(high[1], 0.3, 1e-15);
+  EXPECT_EQ(low[2], 0.3);
+  EXPECT_EQ(high[2], 0.3);
+}
+
+}  // namespace
+}  // namespace recoil::detail
