@@ -181,12 +181,13 @@ CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, cons
   const auto radius = [&](const Vec<Dim>& x) {
     return grid.axisymmetric ? std::abs(grid.origin[0] + (i[0] + x[0]) * grid.dx) : 1.0;
   };
+  const FaceClips<Dim> faces = clip_faces<Dim>(corner);
   for (int d = 0; d < Dim; ++d)
     for (int side = 0; side < 2; ++side) {
-      const Clip<Dim> face = clip_face<Dim>(corner, d, side);
+      const Clip<Dim>& face = faces[d][side];
       c.open[d][side] = face.fraction * area * (face.fraction > 0 ? radius(face.centroid) : 1);
     }
-  const Clip<Dim> fragment = clip<Dim>(corner);
+  const Clip<Dim> fragment = clip<Dim>(corner, faces);
   c.volume = fragment.fraction * volume * radius(fragment.centroid);
   for (int d = 0; d < Dim; ++d) {
     c.centroid[d] = fragment.centroid[d] - 0.5;
