@@ -9,8 +9,8 @@ namespace recoil {
 
 namespace {
 
-/// How far a point is beyond cell j along an axis [m], if the cell is widened by a hundredth: its wall lies in
-/// it.
+/// How far a point is beyond cell j along an axis [m], if the cell is widened by a hundredth: its wall lies
+/// in it.
 template <int Dim>
 double beyond_cell(const Grid<Dim>& grid, int j, const Vec<Dim>& x, int d) {
   const double r = x[d] - (grid.origin[d] + (j + 0.5) * grid.dx);

@@ -33,13 +33,25 @@ CutsInView cuts_in_view(const Window<Dim>& w, const IndexOf& index_of, Scratch& 
   const auto n = static_cast<std::size_t>(w.size());
   CutsInView cuts{scratch.take<int>(n + 1), scratch.take<int>(n)};
   w.gather(index_of, -1, Beyond::mirror, cuts.before);
-  for (int k = 0; k < w.size(); ++k) {
-    const bool is_cut = cuts.before[k] >= 0;
-    cuts.before[k] = cuts.count;
-    cuts.cell[cuts.count] = k;  // of the next one, if this is none
-    cuts.count += is_cut ? 1 : 0;
+  const int width = w.box().extent(0), size = w.size();
+  int *const before = cuts.before, *const cell = cuts.cell;
+  int count = 0;
+  for (int row = 0; row < size; row += width) {
+    int all = -1;
+    for (int k = row; k < row + width; ++k) all &= before[k];
+    if (all < 0) {  // no cut cell: all are -1
+      std::fill(before + row, before + row + width, count);
+      continue;
+    }
+    for (int k = row; k < row + width; ++k) {
+      const bool is_cut = before[k] >= 0;
+      before[k] = count;
+      cell[count] = k;  // of the next one, if this is none
+      count += is_cut ? 1 : 0;
+    }
   }
-  cuts.before[n] = cuts.count;
+  before[n] = count;
+  cuts.count = count;
   return cuts;
 }
 
@@ -50,8 +62,9 @@ void for_each_row_of_cuts(const CutsInView& cuts, const Box<Dim>& window, const 
   Box<Dim> rows = box;
   rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
   const int width = box.extent(0);
+  const int* const before = cuts.before;
   for_each(rows, [&](const Index<Dim>& j) {
-    const int at = window.at(j), first = cuts.before[at], end = cuts.before[at + width];
+    const int at = window.at(j), first = before[at], end = before[at + width];
     if (end > first) f(j, at, first, end);
   });
 }

@@ -78,12 +78,17 @@ bool moves(const BodyBlock<Dim>& b) {
 constexpr double allowed_overlap = 0.1;  // [dx] of a body and a rigid one; contacts stay below
 constexpr int surface_reach = 8;         // foot points lie up to 5 cells away, the walls asked there 3 more
 
+/// Four numbers that are computed with at once: three components and a weight.
+using Four [[gnu::vector_size(32)]] = double;
+constexpr int last_of_four = 3;
+
 /// The walls of the cut cells that a window shows, as their neighbours see them: number by number, one array
 /// for each component.
 template <int Dim>
 struct WallsInView {
-  std::array<double*, Dim> point, velocity;
-  double* share;  // what counts of them: their area, in faces of a cell, and a little more
+  std::array<double*, Dim> point;
+  double* share;   // what counts of them: their area, in faces of a cell, and a little more
+  Four* velocity;  // and a 1 behind it
 };
 
 constexpr double least_share = 0.02;
@@ -94,8 +99,8 @@ WallsInView<Dim> walls_in_view(const Grid<Dim>& grid, const Body<Dim>& body, con
   const auto count = static_cast<std::size_t>(cuts.count);
   WallsInView<Dim> walls;
   for (double*& component : walls.point) component = scratch.take<double>(count);
-  for (double*& component : walls.velocity) component = scratch.take<double>(count);
   walls.share = scratch.take<double>(count);
+  walls.velocity = scratch.take_filled<Four>(count, Four{0, 0, 0, 1});
   const double per_area = 1 / grid.dx_power(Dim - 1);
   for (int m = 0; m < cuts.count; ++m) {
     const Index<Dim> i = w.box().index(cuts.cell[m]);
@@ -107,79 +112,69 @@ WallsInView<Dim> walls_in_view(const Grid<Dim>& grid, const Body<Dim>& body, con
     walls.share[m] = norm(cut.surface) * per_area / grid.radius(i[0]) + least_share;
     for (int d = 0; d < Dim; ++d) {
       walls.point[d][m] = point[d];
-      walls.velocity[d][m] = (from.flips >> d & 1U) != 0 ? -velocity[d] : velocity[d];
+      walls.velocity[m][d] = (from.flips >> d & 1U) != 0 ? -velocity[d] : velocity[d];
     }
   }
   return walls;
 }
 
-/// exp(-steepness r^2) times the share of each of a list of walls. `r`: component after component, `apart`
-/// from each other.
+constexpr int widest_ring = 3;  // cells about a foot point in which walls are looked for
+
+/// A list of walls about a point: where they are from there, component after component.
 template <int Dim>
-RECOIL_MULTIVERSION void weigh(int count, double steepness, const double* r, int apart, const double* share,
-                               double* weight) {
+struct WallList {
+  static constexpr int most = power<Dim>(2 * widest_ring + 1);
+  std::array<std::array<double, most>, Dim> r;
+  std::array<double, most> share, weight;
+  std::array<int, most> number;
+};
+
+/// Adds up velocities and weights exp(-steepness r^2) times the share of the walls of a list.
+template <int Dim>
+RECOIL_MULTIVERSION void add_velocities(int count, double steepness, const Four* velocity,
+                                        WallList<Dim>& list, Four& sum) {
 #pragma GCC ivdep
   for (int c = 0; c < count; ++c) {
     double square = 0;
-    for (int d = 0; d < Dim; ++d) square += r[d * apart + c] * r[d * apart + c];
-    weight[c] = quick_exp(-steepness * square) * share[c];
+    for (std::size_t d = 0; d < Dim; ++d) square += list.r[d][c] * list.r[d][c];
+    list.weight[c] = quick_exp(-steepness * square) * list.share[c];
   }
+  Four all{};
+  for (int c = 0; c < count; ++c) all += list.weight[c] * velocity[list.number[c]];
+  sum = all;
 }
 
-constexpr int widest_ring = 3;  // cells about a foot point in which walls are looked for
-
-/// The mean velocity of the walls about points of a surface.
+/// Lists the walls of the cut cells of a box about x. @returns how many there are.
 template <int Dim>
-class WallVelocity {
- public:
-  WallVelocity(const Grid<Dim>& grid, const Box<Dim>& window, const CutsInView& cuts,
-               const WallsInView<Dim>& walls, Scratch& scratch)
-      : grid_(grid), window_(window), cuts_(cuts), walls_(walls) {
-    r_ = scratch.take<double>(Dim * most);
-    share_ = scratch.take<double>(most);
-    weight_ = scratch.take<double>(most);
-    number_ = scratch.take<int>(most);
-  }
-
-  /// @returns whether there is a wall near x.
-  bool at(const Vec<Dim>& x, Vec<Dim>& u) const {
-    const double steepness = 2 / (grid_.dx * grid_.dx);
-    const Index<Dim> centre = grid_.cell_of(x);
-    double weights = 0;
-    for (int reach = 1; reach <= widest_ring && weights == 0; ++reach) {
-      const int count = list(x, around_cell(centre, reach, window_));
-      weigh<Dim>(count, steepness, r_, most, share_, weight_);
-      for (int c = 0; c < count; ++c) {
-        weights += weight_[c];
-        for (int d = 0; d < Dim; ++d) u[d] += weight_[c] * walls_.velocity[d][number_[c]];
-      }
+int list_walls(const CutsInView& cuts, const WallsInView<Dim>& walls, const Box<Dim>& window,
+               const Box<Dim>& box, const Vec<Dim>& x, WallList<Dim>& list) {
+  int count = 0;
+  for_each_row_of_cuts(cuts, window, box, [&](const Index<Dim>&, int, int first, int end) {
+    for (int m = first; m < end; ++m, ++count) {
+      for (std::size_t d = 0; d < Dim; ++d) list.r[d][count] = walls.point[d][m] - x.c[d];
+      list.share[count] = walls.share[m];
+      list.number[count] = m;
     }
-    if (weights > 0) u *= 1 / weights;
-    return weights > 0;
+  });
+  return count;
+}
+
+/// The mean velocity of the walls about a point x of the surface. @returns whether there are any.
+template <int Dim>
+bool mean_wall_velocity(const Grid<Dim>& grid, const Box<Dim>& window, const CutsInView& cuts,
+                        const WallsInView<Dim>& walls, const Vec<Dim>& x, WallList<Dim>& list, Vec<Dim>& u) {
+  const double steepness = 2 / (grid.dx * grid.dx);
+  const Index<Dim> centre = grid.cell_of(x);
+  Four sum{};
+  for (int reach = 1; reach <= widest_ring && sum[last_of_four] == 0; ++reach) {
+    const int count = list_walls(cuts, walls, window, around_cell(centre, reach, window), x, list);
+    add_velocities<Dim>(count, steepness, walls.velocity, list, sum);
   }
-
- private:
-  static constexpr int most = power<Dim>(2 * widest_ring + 1);
-
-  int list(const Vec<Dim>& x, const Box<Dim>& box) const {
-    int count = 0;
-    for_each_row_of_cuts(cuts_, window_, box, [&](const Index<Dim>&, int, int first, int end) {
-      for (int m = first; m < end; ++m, ++count) {
-        for (int d = 0; d < Dim; ++d) r_[d * most + count] = walls_.point[d][m] - x[d];
-        share_[count] = walls_.share[m];
-        number_[count] = m;
-      }
-    });
-    return count;
-  }
-
-  const Grid<Dim>& grid_;
-  const Box<Dim>& window_;
-  const CutsInView& cuts_;
-  const WallsInView<Dim>& walls_;
-  double *r_, *share_, *weight_;
-  int* number_;
-};
+  const double weights = sum[last_of_four];
+  if (!(weights > 0)) return false;
+  for (int d = 0; d < Dim; ++d) u[d] = sum[d] * (1 / weights);
+  return true;
+}
 
 constexpr double followed_cells = 2;  // [dx] farther cells need not follow: each step redistances them
 constexpr int ring = 2;               // cells about a foot point whose mismatch counts
@@ -198,7 +193,8 @@ RECOIL_MULTIVERSION void bells_about(const Vec<Dim>& x, std::array<Bell, Dim>& b
   for (double& p : power) p = quick_exp(p);
   for (std::size_t d = 0; d < Dim; ++d) {
     const double middle = power[d], up = power[d + 4], down = 1 / up;
-    bell[d] = {middle * down * down * e4, middle * down * e1, middle, middle * up * e1, middle * up * up * e4};
+    bell[d] = {middle * down * down * e4, middle * down * e1, middle, middle * up * e1,
+               middle * up * up * e4};
   }
 }
 
@@ -217,13 +213,14 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
   const CutsInView cuts = cuts_in_view(
       w, [&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, scratch);
   const WallsInView<Dim> walls = walls_in_view(grid, body, w, cuts, scratch);
-  const WallVelocity<Dim> wall_velocity(grid, w.box(), cuts, walls, scratch);
+  WallList<Dim> list;
   const auto cells = static_cast<std::size_t>(grid.layout().size());
   for_each(w.inner(), [&](const Index<Dim>& i) {
     if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
     const auto k = static_cast<std::size_t>(w.cell(i));
     Vec<Dim> u;
-    if (!wall_velocity.at(foot_point(grid, w.box(), phi, i).point, u) && (b.role[k] & regular) != 0)
+    const Vec<Dim> foot = foot_point(grid, w.box(), phi, i).point;
+    if (!mean_wall_velocity(grid, w.box(), cuts, walls, foot, list, u) && (b.role[k] & regular) != 0)
       for (int d = 0; d < Dim; ++d)
         u[d] = b.average[static_cast<std::size_t>(Components<Dim>::u + d) * cells + k];
     const double step = norm(u) * dt;
@@ -296,9 +293,11 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
     for_each_row_of_cuts(cuts, w.box(), around_cell(near, ring, w.box()),
                          [&](const Index<Dim>& j, int at, int first, int end) {
                            const int from_near = j[0] - near[0] + ring - at;
+                           Vec<Dim> across;
+                           for (int d = 1; d < Dim; ++d) across[d] = bell[d][j[d] - near[d] + ring];
                            for (int m = first; m < end; ++m) {
                              double weight = bell[0][cuts.cell[m] + from_near];
-                             for (int d = 1; d < Dim; ++d) weight *= bell[d][j[d] - near[d] + ring];
+                             for (int d = 1; d < Dim; ++d) weight *= across[d];
                              sum += weight * mismatch[m];
                              weights += weight;
                            }
