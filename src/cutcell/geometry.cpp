@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "core/multiversion.hpp"
@@ -45,19 +46,39 @@ CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, cons
   return c;
 }
 
-/// What the nodes of a row of cells say of each. @returns whether any is cut.
+/// Least and largest value of some rows of nodes.
+struct Bounds {
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+};
+
+RECOIL_MULTIVERSION void extend_bounds(const double* node, int count, Bounds& bounds) {
+  double least = bounds.least, largest = bounds.largest;
+#pragma omp simd reduction(min : least) reduction(max : largest)
+  for (int c = 0; c < count; ++c) {
+    least = node[c] < least ? node[c] : least;
+    largest = node[c] > largest ? node[c] : largest;
+  }
+  bounds = {least, largest};
+}
+
+/// What the nodes of a row of cells say of each. Cells are empty before. @returns whether any is cut.
 template <int Dim>
-RECOIL_MULTIVERSION bool find_kinds(const double* node, const Offsets<Dim>& corner, int count,
-                                    CellKind* kind) {
-  int any = 0;
-#pragma omp simd reduction(| : any)
+bool find_kinds(const double* node, const Offsets<Dim>& corner, int count, CellKind* kind) {
+  Bounds bounds;
+  for (std::size_t o = 0; o < corner.size(); o += 2) extend_bounds(node + corner[o], count + 1, bounds);
+  if (bounds.least >= 0) return false;
+  if (bounds.largest < 0) {
+    std::fill_n(kind, count, CellKind::full);
+    return false;
+  }
+  bool any = false;
   for (int c = 0; c < count; ++c) {
     int negative = 0;
     for (const int o : corner) negative += node[c + o] < 0 ? 1 : 0;
     kind[c] = negative == 0 ? CellKind::empty : negative == 1 << Dim ? CellKind::full : CellKind::cut;
-    any |= kind[c] == CellKind::cut ? 1 : 0;
+    any = any || kind[c] == CellKind::cut;
   }
-  return any != 0;
+  return any;
 }
 
 template <int Dim>

@@ -61,7 +61,7 @@ bool at_outflow(const Grid<Dim>& grid, const Index<Dim>& i) {
   return false;
 }
 
-/// phi and the bits of contact of one body in the cells of a window; no contact of rigid bodies.
+/// phi and the bits of contact of one body in the cells of a window; null where it has no contact.
 struct CellValues {
   double* phi = nullptr;
   std::uint32_t* contact = nullptr;
@@ -78,6 +78,8 @@ CellValues cell_values(const State<Dim>& state, const Window<Dim>& w, const Body
   cells.contact = scratch.take<std::uint32_t>(w.size());
   w.gather([&](int s) { return b.present(s) ? b.at(s).contact.data() : nullptr; }, std::uint32_t{0},
            Beyond::extend, cells.contact);
+  if (std::all_of(cells.contact, cells.contact + w.size(), [](std::uint32_t c) { return c == 0; }))
+    cells.contact = nullptr;
   return cells;
 }
 

@@ -13,7 +13,7 @@ struct Nodes {
   int body = 0;
   bool rigid = false;
   double* phi = nullptr;
-  std::uint32_t* contact = nullptr;  // bits of the partners of the cells around; null for rigid bodies
+  std::uint32_t* contact = nullptr;  // bits of the partners of the cells around; null without contact
 };
 
 /// The nodes of a box of cells.
