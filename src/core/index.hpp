@@ -72,15 +72,18 @@ struct Box {
 /// Calls f(index) for every index of the box, first axis fastest.
 template <int Dim, class F>
 constexpr void for_each(const Box<Dim>& box, F&& f) {
-  const int n = box.size();
-  if (n <= 0) return;
-  Index<Dim> i = box.lo;
-  for (int k = 0; k < n; ++k) {
-    f(i);
-    for (int d = 0; d < Dim; ++d) {
-      if (++i[d] < box.hi[d]) break;
-      i[d] = box.lo[d];
+  const Index<Dim> lo = box.lo, hi = box.hi;
+  for (int d = 0; d < Dim; ++d)
+    if (hi[d] <= lo[d]) return;
+  Index<Dim> i = lo;
+  for (;;) {
+    for (i[0] = lo[0]; i[0] < hi[0]; ++i[0]) f(i);
+    int d = 1;
+    for (; d < Dim; ++d) {
+      if (++i[d] < hi[d]) break;
+      i[d] = lo[d];
     }
+    if (d == Dim) return;
   }
 }
 

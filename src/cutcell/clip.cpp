@@ -24,6 +24,10 @@ Clip<1> clip_segment(double a, double b) {
 
 /// Corners in the order (0,0) (1,0) (0,1) (1,1). Opposite negative corners are joined.
 Clip<2> clip_square(const Corners<2>& v) {
+  // Most faces of cut cells lie on one side of the surface: what follows finds just this for them.
+  const int negative = (v[0] < 0) + (v[1] < 0) + (v[2] < 0) + (v[3] < 0);
+  if (negative == 0) return {};
+  if (negative == 4) return {1, {{0.5, 0.5}}, {}, 0};
   constexpr std::array<std::array<double, 2>, 4> corner{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   constexpr std::array<std::size_t, 4> order{0, 1, 3, 2};
   std::array<std::array<double, 2>, 8> p{};
@@ -74,14 +78,14 @@ void cross_edges(const Corners<3>& v, Clip<3>& c) {
 
 /// With m on the surface and x - m along it, only the faces of the cube count in the divergence theorem:
 /// 3 V = closed-int (x - m) . n dA and int (4 x_i - m_i) dV = closed-int x_i (x - m) . n dA.
-Clip<3> clip_cube(const Corners<3>& v) {
+Clip<3> clip_cube(const Corners<3>& v, const FaceClips<3>& faces) {
   Clip<3> c;
   cross_edges(v, c);
   double volume = 0;
   Vec<3> moment;
   for (int d = 0; d < 3; ++d)
     for (int side = 0; side < 2; ++side) {
-      const Clip<3> face = clip_face<3>(v, d, side);
+      const Clip<3>& face = faces[d][side];
       const double flux = (side == 0 ? c.middle[d] : 1 - c.middle[d]) * face.fraction;
       volume += flux / 3;
       moment += flux * face.centroid;
@@ -96,18 +100,18 @@ Clip<3> clip_cube(const Corners<3>& v) {
 }  // namespace
 
 template <>
-Clip<1> clip<1>(const Corners<1>& v) {
+Clip<1> clip<1>(const Corners<1>& v, const FaceClips<1>&) {
   return clip_segment(v[0], v[1]);
 }
 
 template <>
-Clip<2> clip<2>(const Corners<2>& v) {
+Clip<2> clip<2>(const Corners<2>& v, const FaceClips<2>&) {
   return clip_square(v);
 }
 
 template <>
-Clip<3> clip<3>(const Corners<3>& v) {
-  return clip_cube(v);
+Clip<3> clip<3>(const Corners<3>& v, const FaceClips<3>& faces) {
+  return clip_cube(v, faces);
 }
 
 template <>

@@ -5,173 +5,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <limits>
 #include <span>
-#include <utility>
 
+#include "core/multiversion.hpp"
 #include "cutcell/clip.hpp"
-#include "state/level_set_view.hpp"
+#include "cutcell/nodes.hpp"
 
 namespace recoil {
 
 namespace {
 
-constexpr double shared_gap = 0.15;         // closer than this [dx], one surface cuts both
-constexpr double shared_contact_gap = 0.5;  // or than this beside cells in contact
-constexpr double off_node = 1e-6;           // a surface is kept this far [dx] from nodes
-constexpr double exact_band = 3;            // nodes of rigid bodies nearer than this [dx] are exact
-constexpr double normal_step = 0.01;        // [dx] either way: a sharp edge is narrow
-
-/// phi at the nodes of one block for one body. Node i is the low corner of cell i.
-struct Nodes {
-  int body = 0;
-  bool rigid = false;
-  double* phi = nullptr;
-  std::uint32_t* contact = nullptr;  // bits of the partners of the cells around; null for rigid bodies
-};
-
-template <int Dim>
-Box<Dim> node_box(const Box<Dim>& cells) {
-  Box<Dim> b = cells;
-  for (int d = 0; d < Dim; ++d) ++b.hi[d];
-  return b;
-}
-
-/// Offsets into the window of the 2^Dim cells around a node.
-template <int Dim>
-std::array<int, 1 << Dim> around_node(const Window<Dim>& w) {
-  std::array<int, 1 << Dim> offset{};
-  for (int c = 0; c < 1 << Dim; ++c)
-    for (int d = 0; d < Dim; ++d) offset[c] -= (c >> d & 1) * w.stride(d);
-  return offset;
-}
-
-/// Distance of a node from a rigid body. A node on an edge of a period is a node on the opposite edge as
-/// well: the nearer of what both see.
-template <int Dim>
-double rigid_node(const Grid<Dim>& grid, const RigidMotion<Dim>& motion, const RigidPose<Dim>& pose,
-                  const Index<Dim>& i) {
-  int both = 0;
-  for (int d = 0; d < Dim; ++d)
-    if (grid.periodic(d) && (i[d] == 0 || i[d] == grid.cells[d])) both |= 1 << d;
-  double nearest = far_cells * grid.dx;
-  for (int c = 0; c < 1 << Dim; ++c) {
-    if ((c & both) != c) continue;
-    Vec<Dim> x;
-    for (int d = 0; d < Dim; ++d) {
-      const int at = (both >> d & 1) == 0 ? i[d] : (c >> d & 1) != 0 ? grid.cells[d] : 0;
-      x[d] = grid.origin[d] + at * grid.dx;
-    }
-    nearest = std::min(nearest, distance_at(motion, pose, x));
-  }
-  return nearest;
-}
-
-/// Whether a node lies on an open edge. Such nodes see bodies continued as the first cells are: all alike.
-template <int Dim>
-bool at_outflow(const Grid<Dim>& grid, const Index<Dim>& i) {
-  for (int d = 0; d < Dim; ++d) {
-    const auto& edge = grid.edge[d];
-    if ((i[d] == 0 && edge[0] == Edge::outflow) || (i[d] == grid.cells[d] && edge[1] == Edge::outflow))
-      return true;
-  }
-  return false;
-}
-
-/// phi and the bits of contact of one body in the cells of a window; no contact of rigid bodies.
-struct CellValues {
-  double* phi = nullptr;
-  std::uint32_t* contact = nullptr;
-};
-
-template <int Dim>
-CellValues cell_values(const State<Dim>& state, const Window<Dim>& w, const Body<Dim>& b, PhiAt when,
-                       Scratch& scratch) {
-  CellValues cells;
-  cells.phi =
-      view_level_set(state.grid(), b, w,
-                     when == PhiAt::midstep ? &BodyBlock<Dim>::phi_midstep : &BodyBlock<Dim>::phi, scratch);
-  if (b.rigid) return cells;
-  cells.contact = scratch.take<std::uint32_t>(w.size());
-  w.gather([&](int s) { return b.present(s) ? b.at(s).contact.data() : nullptr; }, std::uint32_t{0},
-           Beyond::extend, cells.contact);
-  return cells;
-}
-
-/// @param ahead seconds from now to `when`.
-template <int Dim>
-Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt when, double ahead,
-                  Scratch& scratch) {
-  const Body<Dim>& b = state.bodies[body];
-  const auto pose = b.rigid ? std::optional(pose_after(*b.rigid, ahead)) : std::nullopt;
-  const Box<Dim> nodes = node_box(w.inner());
-  Nodes n{body, b.rigid.has_value(), scratch.take<double>(nodes.size()), nullptr};
-  const CellValues cells = cell_values(state, w, b, when, scratch);
-  if (cells.contact) n.contact = scratch.take<std::uint32_t>(nodes.size());
-  const double share = 1.0 / (1 << Dim), push = off_node * state.grid().dx,
-               band = exact_band * state.grid().dx;
-  const auto around = around_node(w);
-  Box<Dim> rows = nodes;
-  rows.hi[0] = rows.lo[0] + 1;
-  const int width = nodes.extent(0);
-  for_each(rows, [&](Index<Dim> i) {
-    const double* p = cells.phi + w.at(i);
-    double* value = n.phi + nodes.at(i);
-#pragma omp simd
-    for (int c = 0; c < width; ++c) {
-      double sum = 0;
-      for (const int o : around) sum += p[c + o];
-      value[c] = share * sum;
-    }
-    if (cells.contact) {
-      const std::uint32_t* from = cells.contact + w.at(i);
-      std::uint32_t* bits = n.contact + nodes.at(i);
-      for (int c = 0; c < width; ++c) {
-        bits[c] = 0;
-        for (const int o : around) bits[c] |= from[c + o];
-      }
-    }
-    for (int c = 0; pose && c < width; ++c, ++i[0])
-      if (std::abs(value[c]) < band && !at_outflow(state.grid(), i))
-        value[c] = rigid_node(state.grid(), *b.rigid, *pose, i);
-    for (int c = 0; c < width; ++c)
-      value[c] = std::abs(value[c]) < push ? (value[c] < 0 ? -push : push) : value[c];
-  });
-  return n;
-}
-
-/// One surface for the two nearest bodies of a node, where they touch.
-void share_node(std::span<Nodes> nodes, int k, double dx) {
-  Nodes *a = nullptr, *b = nullptr;  // the smallest and the second smallest phi
-  for (Nodes& n : nodes) {
-    if (!a || n.phi[k] < a->phi[k]) {
-      b = a;
-      a = &n;
-    } else if (!b || n.phi[k] < b->phi[k]) {
-      b = &n;
-    }
-  }
-  if (!b || b->phi[k] >= 2 * dx || a->phi[k] < -2.5 * dx) return;
-  if (a->body > b->body) std::swap(a, b);
-  if (a->rigid && b->rigid) return;
-  const double pa = a->phi[k], pb = b->phi[k], gap = pa + pb, push = off_node * dx;
-  const auto touched = [k](const Nodes& n, const Nodes& other) {
-    return n.contact && (n.contact[k] >> other.body & 1U);
-  };
-  if (gap >= shared_gap * dx && !(gap < shared_contact_gap * dx && (touched(*a, *b) || touched(*b, *a))))
-    return;
-  // A wall exactly on a face: the deformable or lower-numbered body is just outside, the other just inside.
-  const auto beside_rigid = [&](Nodes& n, Nodes& wall) {
-    n.phi[k] = std::abs(wall.phi[k]) <= push ? push : -wall.phi[k];
-    if (std::abs(wall.phi[k]) <= push) wall.phi[k] = -push;
-  };
-  if (b->rigid) return beside_rigid(*a, *b);
-  if (a->rigid) return beside_rigid(*b, *a);
-  double psi = 0.5 * (pa - pb);
-  if (std::abs(psi) < push) psi = push;
-  a->phi[k] = psi;
-  b->phi[k] = -psi;
-}
+constexpr double normal_step = 0.01;  // [dx] either way: a sharp edge is narrow
 
 template <int Dim>
 CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, const Corners<Dim>& corner) {
@@ -181,12 +26,13 @@ CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, cons
   const auto radius = [&](const Vec<Dim>& x) {
     return grid.axisymmetric ? std::abs(grid.origin[0] + (i[0] + x[0]) * grid.dx) : 1.0;
   };
+  const FaceClips<Dim> faces = clip_faces<Dim>(corner);
   for (int d = 0; d < Dim; ++d)
     for (int side = 0; side < 2; ++side) {
-      const Clip<Dim> face = clip_face<Dim>(corner, d, side);
+      const Clip<Dim>& face = faces[d][side];
       c.open[d][side] = face.fraction * area * (face.fraction > 0 ? radius(face.centroid) : 1);
     }
-  const Clip<Dim> fragment = clip<Dim>(corner);
+  const Clip<Dim> fragment = clip<Dim>(corner, faces);
   c.volume = fragment.fraction * volume * radius(fragment.centroid);
   for (int d = 0; d < Dim; ++d) {
     c.centroid[d] = fragment.centroid[d] - 0.5;
@@ -200,10 +46,45 @@ CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, cons
   return c;
 }
 
+/// Least and largest value of some rows of nodes.
+struct Bounds {
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+};
+
+RECOIL_MULTIVERSION void extend_bounds(const double* node, int count, Bounds& bounds) {
+  double least = bounds.least, largest = bounds.largest;
+#pragma omp simd reduction(min : least) reduction(max : largest)
+  for (int c = 0; c < count; ++c) {
+    least = node[c] < least ? node[c] : least;
+    largest = node[c] > largest ? node[c] : largest;
+  }
+  bounds = {least, largest};
+}
+
+/// What the nodes of a row of cells say of each. Cells are empty before. @returns whether any is cut.
+template <int Dim>
+bool find_kinds(const double* node, const Offsets<Dim>& corner, int count, CellKind* kind) {
+  Bounds bounds;
+  for (std::size_t o = 0; o < corner.size(); o += 2) extend_bounds(node + corner[o], count + 1, bounds);
+  if (bounds.least >= 0) return false;
+  if (bounds.largest < 0) {
+    std::fill_n(kind, count, CellKind::full);
+    return false;
+  }
+  bool any = false;
+  for (int c = 0; c < count; ++c) {
+    int negative = 0;
+    for (const int o : corner) negative += node[c + o] < 0 ? 1 : 0;
+    kind[c] = negative == 0 ? CellKind::empty : negative == 1 << Dim ? CellKind::full : CellKind::cut;
+    any = any || kind[c] == CellKind::cut;
+  }
+  return any;
+}
+
 template <int Dim>
 void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, Geometry<Dim>& g) {
   const Box<Dim> cells = w.inner(), nodes = node_box(cells);
-  std::array<int, 1 << Dim> offset{};
+  Offsets<Dim> offset{};
   for (int c = 0; c < 1 << Dim; ++c)
     for (int d = 0; d < Dim; ++d) offset[c] += (c >> d & 1) * nodes.stride(d);
   g.cuts.clear();
@@ -216,12 +97,7 @@ void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, G
     const double* p = node + nodes.at(i);
     const int first = w.cell(i);
     CellKind* kind = g.kind.data() + first;
-#pragma omp simd
-    for (int c = 0; c < width; ++c) {
-      int negative = 0;
-      for (const int o : offset) negative += p[c + o] < 0 ? 1 : 0;
-      kind[c] = negative == 0 ? CellKind::empty : negative == 1 << Dim ? CellKind::full : CellKind::cut;
-    }
+    if (!find_kinds<Dim>(p, offset, width, kind)) return;
     for (int c = 0; c < width; ++c, ++i[0]) {
       if (kind[c] != CellKind::cut) continue;
       Corners<Dim> corner{};
@@ -235,10 +111,22 @@ void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, G
 /// Cells that are the body's by geometry or by volume.
 template <int Dim>
 Box<Dim> matter_box(const Window<Dim>& w, const BodyBlock<Dim>& b) {
-  Box<Dim> box{};
-  for_each(w.inner(), [&](const Index<Dim>& i) {
-    const int k = w.cell(i);
-    if (b.geometry.kind[k] != CellKind::empty || b.volume[k] != 0) extend(box, i);
+  Box<Dim> box{}, rows = w.inner();
+  const int width = rows.extent(0);
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](Index<Dim> i) {
+    const CellKind* kind = b.geometry.kind.data() + w.cell(i);
+    const double* volume = b.volume.data() + w.cell(i);
+    const auto holds = [&](int c) { return kind[c] != CellKind::empty || volume[c] != 0; };
+    int first = 0, last = width - 1;
+    while (first < width && !holds(first)) ++first;
+    if (first == width) return;
+    while (!holds(last)) --last;
+    const int low = i[0];
+    for (const int c : {first, last}) {
+      i[0] = low + c;
+      extend(box, i);
+    }
   });
   return box;
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 
 #include "cutcell/geometry.hpp"
 #include "state/level_set_view.hpp"
@@ -56,7 +57,7 @@ class Redistribution {
     if (!find_small()) return;
     gather_phi();
     form_neighbourhoods();
-    count_shares();
+    list_holders();
     write(block);
   }
 
@@ -84,12 +85,22 @@ class Redistribution {
     const Box<Dim> inner = window_.inner().grown(reach - 2);
     int count = 0;
     small_ = scratch_.take<Neighbourhood>(static_cast<std::size_t>(inner.size()));
-    for_each(inner, [&](const Index<Dim>& i) {
-      const int k = window_.at(i);
-      if (volume_[k] >= target_fill * full(i) && !has_grown(k)) return;
-      if (volume_[k] == 0 && (index_[k] < 0 || holds_nothing(k))) return;
-      small_[count].cell = k;
-      small_[count++].alone = false;
+    const int width = inner.extent(0);
+    double* target = scratch_.take<double>(static_cast<std::size_t>(width));  // by column
+    Index<Dim> column = inner.lo;
+    for (int c = 0; c < width; ++c, ++column[0]) target[c] = target_fill * full(column);
+    Box<Dim> rows = inner;
+    rows.hi[0] = rows.lo[0] + 1;
+    for_each(rows, [&](const Index<Dim>& i) {
+      const int first = window_.at(i);
+      const double* volume = volume_ + first;
+      for (int c = 0; c < width; ++c) {
+        const int k = first + c;
+        if (volume[c] >= target[c] && !has_grown(k)) continue;
+        if (volume[c] == 0 && (index_[k] < 0 || holds_nothing(k))) continue;
+        small_[count].cell = k;
+        small_[count++].alone = false;
+      }
     });
     smalls_ = count;
     return count > 0;
@@ -157,27 +168,40 @@ class Redistribution {
     }
   }
 
-  /// N_j of every cell, and for every cell the neighbourhoods that hold it, in the order of their cells.
-  void count_shares() {
-    shares_ = scratch_.take_filled<int>(n_, 0);
+  /// For every cell the neighbourhoods that hold it, in the order of their cells.
+  void list_holders() {
+    held_ = scratch_.take_filled<int>(n_, 0);
     is_small_ = scratch_.take_filled<std::uint8_t>(n_, 0);
     int total = 0;
     for (int s = 0; s < smalls_; ++s) {
       is_small_[small_[s].cell] = 1;
-      for (int m = 0; m < small_[s].members; ++m) ++shares_[members_[small_[s].first + m]];
+      for (int m = 0; m < small_[s].members; ++m) ++held_[members_[small_[s].first + m]];
       total += small_[s].members;
     }
-    first_holder_ = scratch_.take_filled<int>(n_ + 1, 0);
-    for (std::size_t k = 0; k < n_; ++k) first_holder_[k + 1] = first_holder_[k] + shares_[k];
+    first_holder_ = scratch_.take<int>(n_);
+    int* fill = scratch_.take_filled<int>(n_, -1);
     holders_ = scratch_.take<int>(static_cast<std::size_t>(total));
-    int* fill = scratch_.take<int>(n_);
-    std::copy(first_holder_, first_holder_ + n_, fill);
+    int used = 0;
     for (int s = 0; s < smalls_; ++s)
-      for (int m = 0; m < small_[s].members; ++m) holders_[fill[members_[small_[s].first + m]]++] = s;
-    for (std::size_t k = 0; k < n_; ++k)
-      if (!is_small_[k]) ++shares_[k];  // a fragment that is not small is a neighbourhood of its own
+      for (int m = 0; m < small_[s].members; ++m) {
+        const int k = members_[small_[s].first + m];
+        if (fill[k] < 0) {
+          fill[k] = first_holder_[k] = used;
+          used += held_[k];
+        }
+        holders_[fill[k]++] = s;
+      }
     merged_ = scratch_.take<Merged>(static_cast<std::size_t>(smalls_));
     for (int s = 0; s < smalls_; ++s) merged_[s].known = false;
+  }
+
+  /// N_j of a cell: a fragment that is not small is a neighbourhood of its own.
+  int shares(int k) const { return held_[k] + (is_small_[k] != 0 ? 0 : 1); }
+  /// The neighbourhoods that hold a cell.
+  std::span<const int> holders(int k) const {
+    return held_[k] > 0
+               ? std::span<const int>(holders_ + first_holder_[k], static_cast<std::size_t>(held_[k]))
+               : std::span<const int>();
   }
 
   Q contents(int k) const {
@@ -214,7 +238,7 @@ class Redistribution {
     double volume = 0;
     for (int j = 0; j < h.members; ++j) {
       const int k = members_[h.first + j];
-      const double share = 1.0 / shares_[k];
+      const double share = 1.0 / shares(k);
       volume += share * volume_[k];
       m.centre += share * volume_[k] * centroid(k);
       const Q q = contents(k);
@@ -272,8 +296,8 @@ class Redistribution {
   /// Of a cell without volume: what has flowed in stays its own where a neighbourhood is too small to share.
   Q contents_without_volume(int k) {
     double part = 0;
-    for (int h = first_holder_[k]; h < first_holder_[k + 1]; ++h)
-      if (!merged(holders_[h]).possible) part += 1.0 / shares_[k];
+    for (const int s : holders(k))
+      if (!merged(s).possible) part += 1.0 / shares(k);
     Q q = contents(k);
     for (double& c : q) c *= part;
     return q;
@@ -286,15 +310,14 @@ class Redistribution {
     Q sum{};
     if (!is_small_[k])
       for (std::size_t c = 0; c < old.size(); ++c) sum[c] = old[c] * per_volume;
-    for (int h = first_holder_[k]; h < first_holder_[k + 1]; ++h) {
-      const int s = holders_[h];
+    for (const int s : holders(k)) {
       const Merged& m = merged(s);
       const double z =
           small_[s].axis >= 0 && m.possible ? centroid(k)[small_[s].axis] - m.centre[small_[s].axis] : 0;
       for (std::size_t c = 0; c < old.size(); ++c)
         sum[c] += m.possible ? m.mean[c] + m.slope[c] * z : old[c] * per_volume;
     }
-    const double share = volume_[k] / shares_[k];
+    const double share = volume_[k] / shares(k);
     for (double& c : sum) c *= share;
     return sum;
   }
@@ -337,13 +360,13 @@ class Redistribution {
     }
     for_each(inner, [&](const Index<Dim>& i) {
       const int k = window_.at(i);
-      bool involved = first_holder_[k + 1] > first_holder_[k];
+      bool involved = held_[k] > 0;
       for (int l = 0; l < lone; ++l) involved = involved || lone_home[l] == k;
       if (!involved) return;
       Update<Dim> u;
       u.cell = window_.cell(i);
       u.volume = volume_[k];
-      u.contents = first_holder_[k + 1] > first_holder_[k] ? new_contents(k) : contents(k);
+      u.contents = held_[k] > 0 ? new_contents(k) : contents(k);
       for (int l = 0; l < lone; ++l) {
         if (lone_cell[l] == k) {
           u.volume = 0;
@@ -370,7 +393,7 @@ class Redistribution {
   int smalls_ = 0;
   int* index_ = nullptr;          // of cut cells
   std::uint8_t* role_ = nullptr;  // of the start of the step
-  int *members_ = nullptr, *shares_ = nullptr, *first_holder_ = nullptr, *holders_ = nullptr;
+  int *members_ = nullptr, *held_ = nullptr, *first_holder_ = nullptr, *holders_ = nullptr;
   std::uint8_t* is_small_ = nullptr;
   Merged* merged_ = nullptr;
 };

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "core/multiversion.hpp"
 #include "cutcell/whole_cells.hpp"
 #include "dynamics/block_sources.hpp"
 #include "dynamics/face_sweep.hpp"
@@ -23,6 +24,12 @@ namespace {
 using detail::EnoLlf;
 using detail::WenoHllc;
 using detail::Work;
+
+/// Sets what cells without a value show.
+RECOIL_MULTIVERSION void keep_valued(std::size_t n, const std::uint8_t* role, double missing, double* value) {
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < n; ++k) value[k] = (role[k] & valued) != 0 ? value[k] : missing;
+}
 
 /// The first `count` primitives of the window's cells; the others are zero.
 template <std::size_t count, int Dim>
@@ -46,8 +53,7 @@ void gather_primitives(const Body<Dim>& body, int slot, double rho0, Work<Dim>& 
     for (std::size_t c = 0; c < count; ++c) {
       const double missing = c == C::rho ? rho0 : 0.0;
       double* value = w.primitive + c * w.wide;
-#pragma omp simd
-      for (std::size_t k = 0; k < w.wide; ++k) value[k] = (w.role[k] & valued) != 0 ? value[k] : missing;
+      keep_valued(w.wide, w.role, missing, value);
     }
   }
 }

@@ -129,11 +129,15 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
         row_primitives<Dim>(eos, first, count, n, b.contents.data(), b.volume.data(), b.average.data());
       count = 0;
     };
-    for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    for_each(b.reach, [&](const Index<Dim>& i) {
+      const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+      if ((b.role[k] & donates) == 0) {
+        flush();
+        return;
+      }
       const double volume = b.volume[k], rho = b.contents[k] / volume;
-      const bool donor = (b.role[k] & donates) != 0;
       const bool left = !is_mean || volume > least_of_old * b.volume_old[k];
-      if (donor && left && volume > least_averaged * grid.full_volume(i) && rho > thinnest * eos.rho0 &&
+      if (left && volume > least_averaged * grid.full_volume(i) && rho > thinnest * eos.rho0 &&
           rho < densest_averaged * range.most * eos.rho0) {
         if (count > 0 && k != first + count) flush();
         if (count == 0) first = k;
@@ -141,7 +145,6 @@ void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body
         return;
       }
       flush();
-      if (!donor) return;
       if (!std::isfinite(rho))
         throw StateError(
             body.name, point_of(state, slot, i - cells.lo),
@@ -163,14 +166,17 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
   const double densest = largest_density(body.material.eos);
   const double thinnest = thinnest_used * density_range(body.material.eos).least;
   const Grid<Dim>& grid = state.grid(slot);
-  for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+  const Box<Dim> layout = grid.layout();
+  const Index<Dim> lo = state.mesh.block(slot).cells.lo;
+  std::fill(b.role.begin(), b.role.end(), std::uint8_t{0});
+  for_each(b.reach, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - lo));
     const double fill = b.volume[k] / grid.full_volume(i);
     std::uint8_t role = 0;
     if (fill > donor_fill) role |= donates;
     if (fill >= regular_fill) role |= regular | valued;
     const double rho = role != 0 ? b.contents[k] / b.volume[k] : rho0;
-    if (fill >= regular_fill && !(rho < densest && rho > -rho0))
-      refuse_density(state, body, slot, i - state.mesh.block(slot).cells.lo, k);
+    if (fill >= regular_fill && !(rho < densest && rho > -rho0)) refuse_density(state, body, slot, i - lo, k);
     if (role != 0 && !(rho > (fails && has_failed(b, k) ? thinnest_failed : thinnest) * rho0)) {
       ++counters.fragments_too_thin;
       role = 0;

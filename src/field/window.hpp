@@ -219,10 +219,15 @@ class Window {
   template <class T>
   static void copy_run(const T* from, const Run& run, bool turn_sign, T* to) {
     constexpr int short_run = 4;  // for which a call of memcpy costs more than it saves
-    if (run.step == 1 && run.n > short_run)
-      std::memcpy(to, from, static_cast<std::size_t>(run.n) * sizeof(T));
+    const int n = run.n;
+    if (run.step == 1 && n > short_run)
+      std::memcpy(to, from, static_cast<std::size_t>(n) * sizeof(T));
+    else if (run.step == 1)
+      for (int i = 0; i < n; ++i) to[i] = from[i];
+    else if (run.step == -1)
+      for (int i = 0; i < n; ++i) to[i] = from[-i];
     else
-      for (int i = 0; i < run.n; ++i) to[i] = from[i * run.step];
+      for (int i = 0; i < n; ++i) to[i] = from[0];
     if constexpr (std::is_same_v<T, double>)
       for (int i = 0; turn_sign && i < run.n; ++i) to[i] = -to[i];
   }

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <variant>
 
 #include "core/error.hpp"
+#include "core/multiversion.hpp"
 #include "dynamics/primitives.hpp"
+#include "interface/candidates.hpp"
 #include "state/level_set_view.hpp"
 
 namespace recoil {
@@ -72,12 +75,6 @@ struct Reach {
   Index<Dim> half;  // cells around that of the surface point
   int widened = 0;  // a box of so many cells, the same in all directions, where the matter is far; else 0
 
-  bool holds(const Vec<Dim>& x, double across2, double along2) const {
-    if (widened == 0) return across2 <= reach_across * reach_across && along2 <= along * along;
-    bool inside = true;
-    for (int d = 0; d < Dim; ++d) inside = inside && std::abs(x[d]) <= widened;
-    return inside;
-  }
   double weight(double across2, double along2) const {
     return widened == 0 ? std::exp(-decay_across * across2 - decay * along2)
                         : std::exp(-decay_wide * (across2 + along2));
@@ -173,54 +170,50 @@ class Rims {
   bool any_ = false;
 };
 
-/// A cell of the window as a donor; looked up when the first fit reads it.
+/// Four numbers that are computed with at once.
+using Four [[gnu::vector_size(32)]] = double;
+
+/// Where the cells of a row lie from a surface point [dx], and whether they donate to its fit.
 template <int Dim>
-struct Candidate {
-  double fill = 0;    // V/full, at most 1; 0: it does not donate; -1: not looked up yet
-  int place = -1;     // in Donors::cells; -1: not there yet
-  Vec<Dim> centroid;  // of its matter, from the centre of the cell as the window shows it [dx]
+struct RowPlaces {
+  static constexpr int longest = (2 * fit_reach + 1 + 3) / 4 * 4;  // in whole Fours
+  using Numbers = std::array<double, longest>;
+  alignas(Four) std::array<Numbers, Dim> x;  // of the centroids of their matter
+  alignas(Four) Numbers across2, along2;     // squares of the distances across and along the surface
+  alignas(Four) std::array<std::int64_t, longest> donates;
 };
 
-/// What the window around a block shows.
+/// @param start of the row: its cells along all axes but the first, from the surface point. @param lowest its
+/// first cell. @param at the surface point, in cells. @param centroid, fill of its cells and of three more.
 template <int Dim>
-class Candidates {
- public:
-  Candidates(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, Scratch& scratch)
-      : state_(state), body_(body), window_(w) {
-    const auto n = static_cast<std::size_t>(w.size());
-    auto* role = scratch.take<std::uint8_t>(n);
-    w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
-             Beyond::extend, role);
-    cells_ = scratch.take_filled<Candidate<Dim>>(n, {});
-    for (std::size_t k = 0; k < n; ++k)
-      if ((role[k] & donates) != 0) cells_[k].fill = -1;
-  }
-
-  /// The candidate at index i, which is place k of the window.
-  Candidate<Dim>& at(const Index<Dim>& i, int k) {
-    Candidate<Dim>& c = cells_[k];
-    if (c.fill < 0) look_up(i, c);
-    return c;
-  }
-
- private:
-  void look_up(const Index<Dim>& i, Candidate<Dim>& c) const {
-    const auto from = window_.source(i);
-    const BodyBlock<Dim>& home = body_.at(from.slot);
-    const Grid<Dim>& grid = state_.grid();
-    const Index<Dim> cell = state_.mesh.block(from.slot).cells.lo + grid.layout().index(from.cell);
-    c.fill = std::min(home.volume[from.cell] / grid.full_volume(cell), 1.0);
-    if (const int cut = home.geometry.index[from.cell]; cut >= 0) {
-      const Vec<Dim>& centroid = home.geometry.cuts[cut].centroid;
-      for (int d = 0; d < Dim; ++d) c.centroid[d] = (from.flips >> d & 1U) != 0 ? -centroid[d] : centroid[d];
+RECOIL_MULTIVERSION void place_row(int count, const Vec<Dim>& start, int lowest, double at,
+                                   const Reach<Dim>& reach, const std::array<const double*, Dim>& centroid,
+                                   const double* fill, RowPlaces<Dim>& row) {
+  constexpr double across2_most = reach_across * reach_across;
+  const double along2_most = reach.along * reach.along, widened = reach.widened;
+  for (int c = 0; c < count; c += 4) {
+    const Four columns{0, 1, 2, 3};
+    Four across{}, square{}, full;
+    std::array<Four, Dim> x;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      std::memcpy(&x[d], centroid[d] + c, sizeof(Four));
+      x[d] = (d == 0 ? (lowest + c + columns) - at : start.c[d] + Four{}) + x[d];
+      across += x[d] * reach.normal.c[d];
+      square += x[d] * x[d];
     }
+    std::memcpy(&full, fill + c, sizeof(Four));
+    const Four across2 = across * across, rest = square - across2, along2 = rest > 0 ? rest : Four{};
+    auto holds = full > 0;
+    if (reach.widened == 0)
+      holds &= (across2 <= across2_most) & (along2 <= along2_most);
+    else
+      for (const Four& v : x) holds &= (v <= widened) & (v >= -widened);
+    for (std::size_t d = 0; d < Dim; ++d) std::memcpy(&row.x[d][c], &x[d], sizeof(Four));
+    std::memcpy(&row.across2[c], &across2, sizeof(Four));
+    std::memcpy(&row.along2[c], &along2, sizeof(Four));
+    std::memcpy(&row.donates[c], &holds, sizeof(Four));
   }
-
-  const State<Dim>& state_;
-  const Body<Dim>& body_;
-  const Window<Dim>& window_;
-  Candidate<Dim>* cells_;
-};
+}
 
 /// The donors around one surface point. Appends to `donors`; where they lie goes to `slope_weight`.
 template <int Dim>
@@ -237,22 +230,20 @@ int collect(const Grid<Dim>& grid, const Window<Dim>& w, const Vec<Dim>& point, 
   const int width = rows.extent(0);
   rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
   const std::size_t before = donors.parts.size();
+  RowPlaces<Dim> row;
   for_each(rows, [&](Index<Dim> i) {
     const int first = w.at(i);
-    for (int k = first; k < first + width; ++k, ++i[0]) {
-      Candidate<Dim>& c = candidates.at(i, k);
-      if (c.fill == 0) continue;
+    if (!candidates.look_up(i, first, width)) return;
+    Vec<Dim> start;
+    for (int d = 1; d < Dim; ++d) start[d] = i[d] - at[d];
+    const double* fill = candidates.fills(first);
+    place_row<Dim>(width, start, i[0], at[0], reach, candidates.centroids(first), fill, row);
+    for (int c = 0; c < width; ++c, ++i[0]) {
+      if (row.donates[c] == 0) continue;
       Vec<Dim> x;
-      for (int d = 0; d < Dim; ++d) x[d] = i[d] - at[d] + c.centroid[d];
-      const double across = dot(x, reach.normal), across2 = across * across,
-                   along2 = std::max(0.0, dot(x, x) - across2);
-      if (!reach.holds(x, across2, along2)) continue;
-      if (c.place < 0) {
-        c.place = static_cast<int>(donors.cells.size());
-        const auto from = w.source(i);
-        donors.cells.push_back({from.slot, from.cell, from.flips});
-      }
-      donors.parts.push_back({c.place, reach.weight(across2, along2) * c.fill, x});
+      for (std::size_t d = 0; d < Dim; ++d) x.c[d] = row.x[d][c];
+      donors.parts.push_back({candidates.place(i, first + c, donors.cells),
+                              reach.weight(row.across2[c], row.along2[c]) * fill[c], x});
     }
   });
   return static_cast<int>(donors.parts.size() - before);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 
@@ -44,27 +45,14 @@ void lone_fit(const Body<Dim>& body, const BodyBlock<Dim>& b, int cell, double f
 /// cost, by processors that have none.
 using Four [[gnu::vector_size(32)]] = double;
 
-/// The first `count` primitives of a donor in whole Fours; the rest is 0.
+/// The first `count` primitives of a donor in whole Fours; the rest is 0, but for S_xx + S_yy behind them
+/// where S_zz has no place of its own.
 template <std::size_t count>
 struct Packed {
   std::array<Four, (count + 3) / 4> four;
 
   double operator[](std::size_t c) const { return four[c / 4][c % 4]; }
 };
-
-/// Range of S_xx + S_yy, that is of S_zz, which has no place of its own.
-template <int Dim, std::size_t count>
-double trace_range(const Wall<Dim>& wall, const Donor<Dim>* donors, const Packed<count>* values) {
-  using C = Components<Dim>;
-  double low = 0, high = 0;
-  for (int k = 0; k < wall.donors; ++k) {
-    const Packed<count>& s = values[donors[k].place];
-    const double v = s[C::s] + s[C::s + 1];
-    low = k == 0 ? v : std::min(low, v);
-    high = k == 0 ? v : std::max(high, v);
-  }
-  return high - low;
-}
 
 /// Weighted sums over donors: differences from the first donor's values.
 template <int Dim, std::size_t count>
@@ -95,30 +83,44 @@ void pack(const Body<Dim>& body, const FieldArray<DonorCell>& cells, std::size_t
     for (std::size_t c = 0; c < count; ++c) v[c] = from[c * n];
     if (cell.flips != 0)
       for (std::size_t c = 0; c < count; ++c) v[c] *= signs[cell.flips][c];
+    if constexpr (Dim == 3) {
+      static_assert(count % 4 != 0, "room for one more");
+      v[count] = v[Components<Dim>::s] + v[Components<Dim>::s + 1];
+    }
     std::memcpy(&values[k], v.data(), sizeof v);
   }
 }
 
-/// Donor by donor: all components of a cell at once.
+/// Donor by donor: all components of a cell at once, but no more than eight, whose sums registers hold.
 template <int Dim, std::size_t count>
 RECOIL_MULTIVERSION void sum_donors(const Packed<count>* values, const Donor<Dim>* donors, int number,
                                     DonorSums<Dim, count>& out) {
-  DonorSums<Dim, count> sums;
-  sums.base = sums.low = sums.high = values[donors[0].place];
-  for (int k = 0; k < number; ++k) {
-    const Donor<Dim>& donor = donors[k];
-    const Packed<count>& value = values[donor.place];
-    for (std::size_t e = 0; e < value.four.size(); ++e) {
-      const Four v = value.four[e], change = v - sums.base.four[e];
-      Four &low = sums.low.four[e], &high = sums.high.four[e];
-      low = v < low ? v : low;
-      high = high < v ? v : high;
-      sums.mean.four[e] += donor.weight * change;
-      for (std::size_t d = 0; d < Dim; ++d)
-        sums.gradient[d].four[e] += change * donor.slope_weight[static_cast<int>(d)];
+  constexpr std::size_t fours = std::tuple_size_v<decltype(Packed<count>::four)>, together = 2;
+  out.base = values[donors[0].place];
+  for (std::size_t first = 0; first < fours; first += together) {
+    std::array<Four, together> base{}, mean{}, low{}, high{};
+    std::array<std::array<Four, together>, Dim> gradient{};
+    const std::size_t n = std::min(together, fours - first);
+    for (std::size_t e = 0; e < n; ++e) base[e] = low[e] = high[e] = out.base.four[first + e];
+    for (int k = 0; k < number; ++k) {
+      const Donor<Dim>& donor = donors[k];
+      const Four* value = values[donor.place].four.data() + first;
+      for (std::size_t e = 0; e < n; ++e) {
+        const Four v = value[e], change = v - base[e];
+        low[e] = v < low[e] ? v : low[e];
+        high[e] = high[e] < v ? v : high[e];
+        mean[e] += donor.weight * change;
+        for (std::size_t d = 0; d < Dim; ++d)
+          gradient[d][e] += change * donor.slope_weight[static_cast<int>(d)];
+      }
+    }
+    for (std::size_t e = 0; e < n; ++e) {
+      out.mean.four[first + e] = mean[e];
+      out.low.four[first + e] = low[e];
+      out.high.four[first + e] = high[e];
+      for (std::size_t d = 0; d < Dim; ++d) out.gradient[d].four[first + e] = gradient[d][e];
     }
   }
-  out = sums;
 }
 
 /// Primitives that are fitted.
@@ -178,7 +180,7 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const Donor<Dim>* dono
   }
   if (soft_for_its_stress<Dim>(body.material, wall.value)) ++counters.floored_sound_speeds;
   wall.value[C::ep] = std::max(0.0, wall.value[C::ep]);
-  wall.range[C::extra] = Dim == 3 ? trace_range<Dim, count>(wall, donors, values) : 0;
+  wall.range[C::extra] = Dim == 3 ? sums.high[count] - sums.low[count] : 0;
 }
 
 template <int Dim, class EosModel>

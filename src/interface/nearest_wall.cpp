@@ -9,16 +9,12 @@ namespace recoil {
 
 namespace {
 
-/// Of a point from the cell at index j, widened by a hundredth, [m2]: the wall of a cell lies in it.
+/// How far a point is beyond cell j along an axis [m], if the cell is widened by a hundredth: its wall lies
+/// in it.
 template <int Dim>
-double distance_squared(const Grid<Dim>& grid, const Index<Dim>& j, const Vec<Dim>& x) {
-  const Vec<Dim> r = x - grid.centre(j);
-  double sum = 0;
-  for (int d = 0; d < Dim; ++d) {
-    const double beyond = std::max(std::abs(r[d]) - 0.51 * grid.dx, 0.0);
-    sum += beyond * beyond;
-  }
-  return sum;
+double beyond_cell(const Grid<Dim>& grid, int j, const Vec<Dim>& x, int d) {
+  const double r = x[d] - (grid.origin[d] + (j + 0.5) * grid.dx);
+  return std::max(std::abs(r) - 0.51 * grid.dx, 0.0);
 }
 
 }  // namespace
@@ -49,10 +45,19 @@ NearWall<Dim> nearest_wall(const State<Dim>& state, const Body<Dim>& body, const
   if (box.contains(centre) && index[w.at(centre)] >= 0) look_at(centre, index[w.at(centre)]);
   nearest = std::nextafter(nearest, std::numeric_limits<double>::infinity());
   const Grid<Dim>& grid = state.grid();
-  for_each(box, [&](const Index<Dim>& j) {
-    const int at = index[w.at(j)];
-    if (at < 0 || distance_squared(grid, j, x) > nearest) return;
-    look_at(j, at);
+  const int width = box.extent(0);
+  Box<Dim> rows = box;
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  for_each(rows, [&](Index<Dim> j) {
+    double row2 = 0;
+    for (int d = 1; d < Dim; ++d) row2 += beyond_cell(grid, j[d], x, d) * beyond_cell(grid, j[d], x, d);
+    if (row2 > nearest) return;
+    const int* places = index + w.at(j);
+    for (int c = 0; c < width; ++c, ++j[0]) {
+      if (places[c] < 0) continue;
+      const double along = beyond_cell(grid, j[0], x, 0);
+      if (row2 + along * along <= nearest) look_at(j, places[c]);
+    }
   });
   return found;
 }

@@ -9,6 +9,7 @@
 
 #include "contact/friction.hpp"
 #include "contact/touch.hpp"
+#include "core/constants.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/surface_view.hpp"
 #include "material/eos/isentrope.hpp"
@@ -308,14 +309,18 @@ SurfaceState<Dim> resolve(const Primitives<Dim>& value, const Vec<Dim>& e) {
   using C = Components<Dim>;
   SurfaceState<Dim> s;
   Vec<Dim> u, t;
-  for (int i = 0; i < Dim; ++i) {
+  for_each_axis<Dim>([&](auto i) RECOIL_INLINE {
     u[i] = value[C::u + i];
-    for (int j = 0; j < Dim; ++j) {
-      const int c = C::stress(i, j);
-      const double sij = c >= 0 ? value[C::s + c] : -(value[C::s] + value[C::s + 1]);
+    for_each_axis<Dim>([&](auto j) RECOIL_INLINE {
+      constexpr int c = C::stress(i, j);
+      double sij;
+      if constexpr (c >= 0)
+        sij = value[C::s + c];
+      else
+        sij = -(value[C::s] + value[C::s + 1]);
       t[i] += sij * e[j];
-    }
-  }
+    });
+  });
   s.velocity = dot(u, e);
   s.sliding = u - s.velocity * e;
   s.deviator = dot(t, e);

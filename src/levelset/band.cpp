@@ -1,4 +1,5 @@
 #include "levelset/band.hpp"
+#include "core/multiversion.hpp"
 #include "state/level_set_view.hpp"
 
 #include <algorithm>
@@ -35,6 +36,21 @@ BandChoice<Dim> choose_rigid_band(const State<Dim>& state, const Body<Dim>& body
   return choice;
 }
 
+struct Seen {
+  bool near_surface, inside;
+};
+
+/// What cells with these values of phi say.
+RECOIL_MULTIVERSION Seen look(int count, const double* phi, double band) {
+  int near_surface = 0, inside = 0;
+#pragma omp simd reduction(| : near_surface, inside)
+  for (int k = 0; k < count; ++k) {
+    near_surface |= std::abs(phi[k]) < band ? 1 : 0;
+    inside |= phi[k] < 0 ? 1 : 0;
+  }
+  return {near_surface != 0, inside != 0};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -54,15 +70,27 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
   const Window<Dim> w(state.mesh, slot, 2);
   const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
   const double band = band_cells * grid.dx;
-  bool inside = false;
-  for (int k = 0; k < w.size(); ++k) {
-    choice.near_surface = choice.near_surface || std::abs(phi[k]) < band;
-    inside = inside || phi[k] < 0;
-  }
+  const Seen seen = look(w.size(), phi, band);
+  const bool inside = seen.inside;
+  choice.near_surface = seen.near_surface;
   choice.present = choice.near_surface || (inside && !body.rigid);
-  for_each(w.inner(), [&](const Index<Dim>& i) {
-    if (phi[w.at(i)] < reach_cells * grid.dx || (b.present && !body.rigid && b.volume[w.cell(i)] != 0))
+  const double* volume = b.present && !body.rigid ? b.volume.data() : nullptr;
+  const int width = w.inner().extent(0);
+  Box<Dim> rows = w.inner();
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](Index<Dim> i) {
+    const double* row = phi + w.at(i);
+    const double* held = volume ? volume + w.cell(i) : nullptr;
+    const auto counts = [&](int c) { return row[c] < reach_cells * grid.dx || (held && held[c] != 0); };
+    int first = 0, last = width - 1;
+    while (first < width && !counts(first)) ++first;
+    if (first == width) return;
+    while (!counts(last)) --last;
+    const int low = i[0];
+    for (const int c : {first, last}) {
+      i[0] = low + c;
       extend(choice.reach, i);
+    }
   });
   if (!b.present || body.rigid || choice.near_surface) return choice;
   // Fragments that the level set has lost stay, and stay cut.

@@ -100,16 +100,27 @@ RECOIL_MULTIVERSION void relax_row(const double* p, const Strides<Dim>& stride, 
 
 enum CellOfBand : std::uint8_t { kept, away, beside };
 
+/// Says what becomes of a row of cells, `band` of which are nearer than that to the surface. @returns whether
+/// any changes.
 template <int Dim>
-CellOfBand place_in_band(const double* p, const Strides<Dim>& stride, double frozen, double h) {
-  const double distance = std::abs(p[0]);
-  if (p[0] == 0 || distance < frozen) return kept;
-  bool other_sign = false, inside = distance < band_cells * h;
-  for (const int st : stride) {
-    other_sign = other_sign || p[0] * p[st] <= 0 || p[0] * p[-st] <= 0;
-    inside = inside || std::min(std::abs(p[st]), std::abs(p[-st])) < (band_cells - 0.9) * h;
+RECOIL_MULTIVERSION bool place_in_band(const double* p, const Strides<Dim>& stride, double frozen,
+                                       double band, double beside_band, int count, std::uint8_t* place) {
+  int any = 0;
+#pragma omp simd reduction(| : any)
+  for (int i = 0; i < count; ++i) {
+    const double* q = p + i;
+    const double distance = std::abs(q[0]);
+    bool other_sign = false, inside = distance < band;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const double high = q[stride[d]], low = q[-stride[d]];
+      other_sign = other_sign | (q[0] * high <= 0) | (q[0] * low <= 0);
+      inside = inside | (std::abs(high) < beside_band) | (std::abs(low) < beside_band);
+    }
+    const bool stays = (q[0] == 0) | (distance < frozen) | !inside;
+    place[i] = stays ? kept : other_sign ? beside : away;
+    any |= stays ? 0 : 1;
   }
-  return !inside ? kept : other_sign ? beside : away;
+  return any != 0;
 }
 
 }  // namespace
@@ -140,11 +151,22 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
 
   // The cells that change, and the box that holds them.
   auto* place = scratch.take<std::uint8_t>(n);
-  Box<Dim> band;
-  for_each(w.inner().grown(2 * (sweeps - 1)), [&](const Index<Dim>& i) {
-    const int k = w.at(i);
-    place[k] = place_in_band<Dim>(p0 + k, stride, frozen * h, h);
-    if (place[k] != kept) extend(band, i);
+  Box<Dim> band, places = w.inner().grown(2 * (sweeps - 1));
+  const int length = places.extent(0);
+  places.hi[0] = std::min(places.hi[0], places.lo[0] + 1);
+  for_each(places, [&](Index<Dim> i) {
+    std::uint8_t* row = place + w.at(i);
+    if (!place_in_band<Dim>(p0 + w.at(i), stride, frozen * h, band_cells * h, (band_cells - 0.9) * h, length,
+                            row))
+      return;
+    int first = 0, last = length - 1;
+    while (row[first] == kept) ++first;
+    while (row[last] == kept) --last;
+    const int low = i[0];
+    for (const int c : {first, last}) {
+      i[0] = low + c;
+      extend(band, i);
+    }
   });
 
   double *p = scratch.take<double>(n), *next = scratch.take<double>(n);
@@ -168,7 +190,10 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
     for_each(rows, [&](const Index<Dim>& i) { std::copy_n(next + w.at(i), count, p + w.at(i)); });
   }
   double* out = body.at(slot).phi_next.data();
-  for_each(w.inner(), [&](const Index<Dim>& i) { out[w.cell(i)] = p[w.at(i)]; });
+  Box<Dim> rows = w.inner();
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = w.inner().extent(0);
+  for_each(rows, [&](const Index<Dim>& i) { std::copy_n(p + w.at(i), width, out + w.cell(i)); });
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                            \

@@ -7,6 +7,7 @@
 
 #include "core/mul_add.hpp"
 #include "core/multiversion.hpp"
+#include "levelset/cuts_in_view.hpp"
 #include "material/eos/quick_exp.hpp"
 #include "state/level_set_view.hpp"
 
@@ -74,65 +75,32 @@ bool moves(const BodyBlock<Dim>& b) {
                      [](double u) { return u != 0; });
 }
 
-/// The box of cells within `reach` of a cell, cut to a window.
-template <int Dim>
-Box<Dim> around_cell(const Index<Dim>& centre, int reach, const Box<Dim>& window) {
-  Box<Dim> b;
-  for (int d = 0; d < Dim; ++d) {
-    b.lo[d] = std::max(centre[d] - reach, window.lo[d]);
-    b.hi[d] = std::min(centre[d] + reach + 1, window.hi[d]);
-  }
-  return b;
-}
-
 constexpr double allowed_overlap = 0.1;  // [dx] of a body and a rigid one; contacts stay below
 constexpr int surface_reach = 8;         // foot points lie up to 5 cells away, the walls asked there 3 more
 
-/// The cut cells that a window shows: of every cell of the window its place in a list, or -1, and for the
-/// list the cells.
-struct CutsInView {
-  int* place = nullptr;
-  int* cell = nullptr;
-  int count = 0;
+/// Four numbers that are computed with at once: three components and a weight.
+using Four [[gnu::vector_size(32)]] = double;
+constexpr int last_of_four = 3;
+
+/// The walls of the cut cells that a window shows, as their neighbours see them: number by number, one array
+/// for each component.
+template <int Dim>
+struct WallsInView {
+  std::array<double*, Dim> point;
+  double* share;   // what counts of them: their area, in faces of a cell, and a little more
+  Four* velocity;  // and a 1 behind it
 };
 
-template <int Dim, class IndexOf>
-CutsInView cuts_in_view(const Window<Dim>& w, const IndexOf& index_of, Scratch& scratch) {
-  const auto n = static_cast<std::size_t>(w.size());
-  CutsInView cuts{scratch.take<int>(n), scratch.take<int>(n)};
-  w.gather(index_of, -1, Beyond::mirror, cuts.place);
-  for (int k = 0; k < w.size(); ++k) {
-    if (cuts.place[k] < 0) continue;
-    cuts.cell[cuts.count] = k;
-    cuts.place[k] = cuts.count++;
-  }
-  return cuts;
-}
-
-/// Calls f(place in the list, cell) for the cut cells of a box.
-template <int Dim, class F>
-void for_each_cut(const CutsInView& cuts, const Box<Dim>& window, const Box<Dim>& box, F&& f) {
-  Box<Dim> rows = box;
-  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
-  const int width = box.extent(0);
-  for_each(rows, [&](Index<Dim> j) {
-    const int* place = cuts.place + window.at(j);
-    for (int c = 0; c < width; ++c, ++j[0])
-      if (place[c] >= 0) f(place[c], j);
-  });
-}
-
-/// The wall of a cut cell as its neighbours see it.
-template <int Dim>
-struct WallAt {
-  Vec<Dim> point, velocity;
-  double area = 0;  // in faces of a cell
-};
+constexpr double least_share = 0.02;
 
 template <int Dim>
-WallAt<Dim>* walls_in_view(const Grid<Dim>& grid, const Body<Dim>& body, const Window<Dim>& w,
-                           const CutsInView& cuts, Scratch& scratch) {
-  auto* walls = scratch.take<WallAt<Dim>>(static_cast<std::size_t>(cuts.count));
+WallsInView<Dim> walls_in_view(const Grid<Dim>& grid, const Body<Dim>& body, const Window<Dim>& w,
+                               const CutsInView& cuts, Scratch& scratch) {
+  const auto count = static_cast<std::size_t>(cuts.count);
+  WallsInView<Dim> walls;
+  for (double*& component : walls.point) component = scratch.take<double>(count);
+  walls.share = scratch.take<double>(count);
+  walls.velocity = scratch.take_filled<Four>(count, Four{0, 0, 0, 1});
   const double per_area = 1 / grid.dx_power(Dim - 1);
   for (int m = 0; m < cuts.count; ++m) {
     const Index<Dim> i = w.box().index(cuts.cell[m]);
@@ -140,24 +108,94 @@ WallAt<Dim>* walls_in_view(const Grid<Dim>& grid, const Body<Dim>& body, const W
     const BodyBlock<Dim>& home = body.at(from.slot);
     const auto at = static_cast<std::size_t>(home.geometry.index[from.cell]);
     const CutCell<Dim>& cut = home.geometry.cuts[at];
-    walls[m].point = w.appear(i, from, cut.point);
-    walls[m].area = norm(cut.surface) * per_area / grid.radius(i[0]);
-    walls[m].velocity = home.walls[at].mean_velocity;
-    for (int d = 0; d < Dim; ++d)
-      if ((from.flips >> d & 1U) != 0) walls[m].velocity[d] = -walls[m].velocity[d];
+    const Vec<Dim> point = w.appear(i, from, cut.point), &velocity = home.walls[at].mean_velocity;
+    walls.share[m] = norm(cut.surface) * per_area / grid.radius(i[0]) + least_share;
+    for (int d = 0; d < Dim; ++d) {
+      walls.point[d][m] = point[d];
+      walls.velocity[m][d] = (from.flips >> d & 1U) != 0 ? -velocity[d] : velocity[d];
+    }
   }
   return walls;
+}
+
+constexpr int widest_ring = 3;  // cells about a foot point in which walls are looked for
+
+/// A list of walls about a point: where they are from there, component after component.
+template <int Dim>
+struct WallList {
+  static constexpr int most = power<Dim>(2 * widest_ring + 1);
+  std::array<std::array<double, most>, Dim> r;
+  std::array<double, most> share, weight;
+  std::array<int, most> number;
+};
+
+/// Adds up velocities and weights exp(-steepness r^2) times the share of the walls of a list.
+template <int Dim>
+RECOIL_MULTIVERSION void add_velocities(int count, double steepness, const Four* velocity,
+                                        WallList<Dim>& list, Four& sum) {
+#pragma GCC ivdep
+  for (int c = 0; c < count; ++c) {
+    double square = 0;
+    for (std::size_t d = 0; d < Dim; ++d) square += list.r[d][c] * list.r[d][c];
+    list.weight[c] = quick_exp(-steepness * square) * list.share[c];
+  }
+  Four all{};
+  for (int c = 0; c < count; ++c) all += list.weight[c] * velocity[list.number[c]];
+  sum = all;
+}
+
+/// Lists the walls of the cut cells of a box about x. @returns how many there are.
+template <int Dim>
+int list_walls(const CutsInView& cuts, const WallsInView<Dim>& walls, const Box<Dim>& window,
+               const Box<Dim>& box, const Vec<Dim>& x, WallList<Dim>& list) {
+  int count = 0;
+  for_each_row_of_cuts(cuts, window, box, [&](const Index<Dim>&, int, int first, int end) {
+    for (int m = first; m < end; ++m, ++count) {
+      for (std::size_t d = 0; d < Dim; ++d) list.r[d][count] = walls.point[d][m] - x.c[d];
+      list.share[count] = walls.share[m];
+      list.number[count] = m;
+    }
+  });
+  return count;
+}
+
+/// The mean velocity of the walls about a point x of the surface. @returns whether there are any.
+template <int Dim>
+bool mean_wall_velocity(const Grid<Dim>& grid, const Box<Dim>& window, const CutsInView& cuts,
+                        const WallsInView<Dim>& walls, const Vec<Dim>& x, WallList<Dim>& list, Vec<Dim>& u) {
+  const double steepness = 2 / (grid.dx * grid.dx);
+  const Index<Dim> centre = grid.cell_of(x);
+  Four sum{};
+  for (int reach = 1; reach <= widest_ring && sum[last_of_four] == 0; ++reach) {
+    const int count = list_walls(cuts, walls, window, around_cell(centre, reach, window), x, list);
+    add_velocities<Dim>(count, steepness, walls.velocity, list, sum);
+  }
+  const double weights = sum[last_of_four];
+  if (!(weights > 0)) return false;
+  for (int d = 0; d < Dim; ++d) u[d] = sum[d] * (1 / weights);
+  return true;
 }
 
 constexpr double followed_cells = 2;  // [dx] farther cells need not follow: each step redistances them
 constexpr int ring = 2;               // cells about a foot point whose mismatch counts
 using Bell = std::array<double, 2 * ring + 1>;
 
-/// exp(-(x + k)^2) for k = -2..2: exp(-x^2) exp(-2 x k) exp(-k^2).
-Bell bell_about(double x) {
+/// exp(-(x + k)^2) for k = -2..2 along every axis: exp(-x^2) exp(-2 x k) exp(-k^2).
+template <int Dim>
+RECOIL_MULTIVERSION void bells_about(const Vec<Dim>& x, std::array<Bell, Dim>& bell) {
   constexpr double e1 = 0.36787944117144233, e4 = 0.018315638888734179;
-  const double middle = quick_exp(-x * x), up = quick_exp(-2 * x), down = 1 / up;
-  return {middle * down * down * e4, middle * down * e1, middle, middle * up * e1, middle * up * up * e4};
+  std::array<double, 8> power{};  // of e: two for each axis, in whole vectors
+  for (std::size_t d = 0; d < Dim; ++d) {
+    power[d] = -x.c[d] * x.c[d];
+    power[d + 4] = -2 * x.c[d];
+  }
+#pragma GCC ivdep
+  for (double& p : power) p = quick_exp(p);
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const double middle = power[d], up = power[d + 4], down = 1 / up;
+    bell[d] = {middle * down * down * e4, middle * down * e1, middle, middle * up * e1,
+               middle * up * up * e4};
+  }
 }
 
 }  // namespace
@@ -169,33 +207,22 @@ void spread_wall_velocity(const State<Dim>& state, Body<Dim>& body, int slot, do
   std::fill(b.extension_velocity.begin(), b.extension_velocity.end(), 0.0);
   if (!b.near_surface || b.reach.size() == 0) return;
   const Grid<Dim>& grid = state.grid();
-  const double dx = grid.dx, steepness = 2 / (dx * dx);
+  const double dx = grid.dx;
   const Window<Dim> w(state.mesh, slot, surface_reach, b.reach);
   const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi_midstep, scratch);
   const CutsInView cuts = cuts_in_view(
       w, [&](int s) { return body.present(s) ? body.at(s).geometry.index.data() : nullptr; }, scratch);
-  const WallAt<Dim>* walls = walls_in_view(grid, body, w, cuts, scratch);
+  const WallsInView<Dim> walls = walls_in_view(grid, body, w, cuts, scratch);
+  WallList<Dim> list;
   const auto cells = static_cast<std::size_t>(grid.layout().size());
   for_each(w.inner(), [&](const Index<Dim>& i) {
     if (std::abs(phi[w.at(i)]) >= carried_cells * dx) return;
     const auto k = static_cast<std::size_t>(w.cell(i));
-    const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
-    double weights = 0;
     Vec<Dim> u;
-    for (int reach = 1; reach <= 3 && weights == 0; ++reach)
-      for_each_cut(cuts, w.box(), around_cell(grid.cell_of(foot.point), reach, w.box()),
-                   [&](int m, const Index<Dim>&) {
-                     const Vec<Dim> r = walls[m].point - foot.point;
-                     const double weight = quick_exp(-steepness * dot(r, r)) * (walls[m].area + 0.02);
-                     weights += weight;
-                     u += weight * walls[m].velocity;
-                   });
-    if (weights > 0) {
-      u *= 1 / weights;
-    } else if ((b.role[k] & regular) != 0) {
+    const Vec<Dim> foot = foot_point(grid, w.box(), phi, i).point;
+    if (!mean_wall_velocity(grid, w.box(), cuts, walls, foot, list, u) && (b.role[k] & regular) != 0)
       for (int d = 0; d < Dim; ++d)
         u[d] = b.average[static_cast<std::size_t>(Components<Dim>::u + d) * cells + k];
-    }
     const double step = norm(u) * dt;
     if (step > dx) {
       u *= dx / step;
@@ -259,14 +286,22 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
     const Index<Dim> near = grid.cell_of(foot.point);
     std::array<Bell, Dim> bell;
-    for (int d = 0; d < Dim; ++d) bell[d] = bell_about((grid.centre(near)[d] - foot.point[d]) / dx);
+    Vec<Dim> off = grid.centre(near) - foot.point;
+    for (int d = 0; d < Dim; ++d) off[d] /= dx;
+    bells_about<Dim>(off, bell);
     double sum = 0, weights = 0;
-    for_each_cut(cuts, w.box(), around_cell(near, ring, w.box()), [&](int m, const Index<Dim>& j) {
-      double weight = 1;
-      for (int d = 0; d < Dim; ++d) weight *= bell[d][j[d] - near[d] + ring];
-      sum += weight * mismatch[m];
-      weights += weight;
-    });
+    for_each_row_of_cuts(cuts, w.box(), around_cell(near, ring, w.box()),
+                         [&](const Index<Dim>& j, int at, int first, int end) {
+                           const int from_near = j[0] - near[0] + ring - at;
+                           Vec<Dim> across;
+                           for (int d = 1; d < Dim; ++d) across[d] = bell[d][j[d] - near[d] + ring];
+                           for (int m = first; m < end; ++m) {
+                             double weight = bell[0][cuts.cell[m] + from_near];
+                             for (int d = 1; d < Dim; ++d) weight *= across[d];
+                             sum += weight * mismatch[m];
+                             weights += weight;
+                           }
+                         });
     if (weights > 1e-3) b.phi_next[w.cell(i)] -= rate * sum / weights;
   });
 }

@@ -12,11 +12,22 @@ template <int Dim>
 void go_on_straight(const Box<Dim>& window, const Box<Dim>& beyond, int d, int edge, int outward, double dx,
                     double* phi) {
   const int step = outward * window.stride(d);
-  for_each(beyond, [&](const Index<Dim>& i) {
-    const int cells = outward * (i[d] - edge);
-    double* const p = phi + window.at(i);
+  const auto go_on = [&](double* p, int cells) {
     const double last = p[-cells * step], before = p[-(cells + 1) * step];
     *p = last + cells * std::clamp(last - before, -dx, dx);
+  };
+  if (d == 0) {
+    for_each(beyond, [&](const Index<Dim>& i) { go_on(phi + window.at(i), outward * (i[0] - edge)); });
+    return;
+  }
+  Box<Dim> rows = beyond;
+  rows.hi[0] = rows.lo[0] + 1;
+  const int width = beyond.extent(0);
+  for_each(rows, [&](const Index<Dim>& i) {
+    double* const row = phi + window.at(i);
+    const int cells = outward * (i[d] - edge);
+#pragma GCC ivdep
+    for (int c = 0; c < width; ++c) go_on(row + c, cells);
   });
 }
 
