@@ -47,6 +47,22 @@ template <class Speed, class Ride>
   }
 }
 
+/// The same of the waves that run against the matter and are swept out with it, where it is faster than
+/// sound: stress + Z u out of the high face, stress - Z u out of the low one.
+/// @returns whether any is.
+template <class Speed, class Ride>
+[[gnu::always_inline]] inline bool find_swept(int count, const Speed& speed, const Ride& ride, Passed& out) {
+  double most = 0;
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) {
+    const double c = speed(i), u = ride(i);
+    out.high[i] = part_passed(u - c);
+    out.low[i] = part_passed(-u - c);
+    most += out.high[i] + out.low[i];
+  }
+  return most > 0;
+}
+
 /// What rides with the matter: both ends, where it flows out through them.
 inline void move_riding(int count, const Passed& passed, const double* mean, double* low, double* high) {
 #pragma GCC ivdep
@@ -57,19 +73,26 @@ inline void move_riding(int count, const Passed& passed, const double* mean, dou
   }
 }
 
-/// The waves stress -+ Z u of a row: stress - Z u runs up the axis, stress + Z u down it; each end gets the
-/// one that leaves the cell there.
-template <class Impedance>
-[[gnu::always_inline]] inline void move_waves(int count, const Passed& passed, const Impedance& impedance,
-                                              const double* stress, const double* u, double* stress_low,
-                                              double* stress_high, double* u_low, double* u_high) {
+/// The waves stress -+ Z u of a row: stress - Z u runs up the axis, stress + Z u down it; each end gets what
+/// leaves the cell there: the one that runs that way, and, in matter faster than sound, the other one too.
+template <bool Swept, class Impedance>
+[[gnu::always_inline]] inline void move_waves(int count, const Passed& passed, const Passed& swept,
+                                              const Impedance& impedance, const double* stress,
+                                              const double* u, double* stress_low, double* stress_high,
+                                              double* u_low, double* u_high) {
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double z = impedance(i), half = 0.5 / z;
     const double sl = stress_low[i], sh = stress_high[i], ul = z * u_low[i], uh = z * u_high[i];
     const double up_mean = stress[i] - z * u[i], down_mean = stress[i] + z * u[i];
-    const double up = mean_leaving(sh - uh, sl - ul, up_mean, passed.high[i]), kept_down = sh + uh;
-    const double down = mean_leaving(sl + ul, sh + uh, down_mean, passed.low[i]), kept_up = sl - ul;
+    const double up_low = sl - ul, up_high = sh - uh, down_low = sl + ul, down_high = sh + uh;
+    const double up = mean_leaving(up_high, up_low, up_mean, passed.high[i]);
+    const double down = mean_leaving(down_low, down_high, down_mean, passed.low[i]);
+    double kept_down = down_high, kept_up = up_low;
+    if constexpr (Swept) {
+      kept_down = mean_leaving(down_high, down_low, down_mean, swept.high[i]);
+      kept_up = mean_leaving(up_low, up_high, up_mean, swept.low[i]);
+    }
     stress_high[i] = 0.5 * (kept_down + up);
     u_high[i] = (kept_down - up) * half;
     stress_low[i] = 0.5 * (down + kept_up);
@@ -160,11 +183,18 @@ template <int Dim, int Axis, bool Shear>
     if constexpr (!yields_by_waves<Dim>) return c;
     return loading[i] > 0 ? std::sqrt(c * c - 4.0 / 3 * g / rho[i]) : c;
   };
-  find_passed(
-      in.count, [=](int i) { return per_dx * speed(i); }, ride, passed);
-  move_waves(
-      in.count, passed, [z](int i) { return z[i]; }, stress, u, low.stress + to, high.stress + to,
-      low.value[C::u + Axis] + to, high.value[C::u + Axis] + to);
+  const auto pace = [=](int i) { return per_dx * speed(i); };
+  find_passed(in.count, pace, ride, passed);
+  Passed swept;
+  const auto move = [&]<bool Swept>() {
+    move_waves<Swept>(
+        in.count, passed, swept, [z](int i) { return z[i]; }, stress, u, low.stress + to, high.stress + to,
+        low.value[C::u + Axis] + to, high.value[C::u + Axis] + to);
+  };
+  if (find_swept(in.count, pace, ride, swept))
+    move.template operator()<true>();
+  else
+    move.template operator()<false>();
   follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_low, low, to);
   follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_high, high, to);
 }
