@@ -96,7 +96,8 @@ constexpr double largest_change = 0.25;
 
 /// By what to multiply a change of half a step so that it keeps to largest_change, 1 nearly everywhere.
 template <int Dim>
-[[gnu::always_inline]] inline double kept_part(const Primitives<Dim>& v, const Primitives<Dim>& change, const Response& m) {
+[[gnu::always_inline]] inline double kept_part(const Primitives<Dim>& v, const Primitives<Dim>& change,
+                                               const Response& m) {
   using C = Components<Dim>;
   const double modulus = m.bulk + 4.0 / 3 * m.shear, most = largest_change * modulus,
                p = std::abs(change[C::p]), rho = std::abs(change[C::rho]) * (modulus / v[C::rho]);
