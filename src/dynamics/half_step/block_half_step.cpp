@@ -90,6 +90,21 @@ template <class Reader>
   add_widening(v, sign * widening, on_axis ? 0.0 : sign / radius, read.response(k, w.ahead.loading), rate);
 }
 
+/// Half a step changes the pressure by at most this part of rho c_L^2, and the density by this part of it.
+/// Unlimited differences across a strong shock in a gas would leave none of the pressure ahead of it.
+constexpr double largest_change = 0.25;
+
+/// By what to multiply a change of half a step so that it keeps to largest_change, 1 nearly everywhere.
+template <int Dim>
+[[gnu::always_inline]] inline double kept_part(const Primitives<Dim>& v, const Primitives<Dim>& change,
+                                               const Response& m) {
+  using C = Components<Dim>;
+  const double modulus = m.bulk + 4.0 / 3 * m.shear, most = largest_change * modulus,
+               p = std::abs(change[C::p]), rho = std::abs(change[C::rho]) * (modulus / v[C::rho]);
+  const double larger = p > rho ? p : rho;
+  return larger > most ? most / larger : 1.0;
+}
+
 /// Where a row of changes goes: by central and by upwind differences.
 struct ChangeRow {
   double *central, *upwind;
@@ -108,11 +123,16 @@ RECOIL_MULTIVERSION void find_row_change(const Reader& read, const double* loadi
     const auto v = read.at(k);
     const auto d = read.differences(k, step);
     const Response response = read.response(k, loading);
-    const auto rate = rate_along<Dim, Axis>(v, d.slope, v[Components<Dim>::u + Axis], response);
-    const auto lean = times_speeds<Dim, Axis>(v, d.fourth, d.bend, response);
+    auto central = rate_along<Dim, Axis>(v, d.slope, v[Components<Dim>::u + Axis], response);
+    auto upwind = times_speeds<Dim, Axis>(v, d.fourth, d.bend, response);
     for_each_constant<Components<Dim>::ep>([&](auto c) RECOIL_INLINE {
-      out.central[c * read.wide + k] = half * rate[c];
-      out.upwind[c * read.wide + k] = half * rate[c] - damping * lean[c];
+      central[c] *= half;
+      upwind[c] = central[c] - damping * upwind[c];
+    });
+    const double part = kept_part<Dim>(v, central, response), leaning = kept_part<Dim>(v, upwind, response);
+    for_each_constant<Components<Dim>::ep>([&](auto c) RECOIL_INLINE {
+      out.central[c * read.wide + k] = part * central[c];
+      out.upwind[c * read.wide + k] = leaning * upwind[c];
     });
   }
 }

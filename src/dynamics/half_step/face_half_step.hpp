@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "core/multiversion.hpp"
 #include "dynamics/face_values.hpp"
 #include "dynamics/half_step/half_step.hpp"
-#include "dynamics/plastic_return.hpp"
 
 /// The values of cells at their faces in the middle of a step of one stage (theory: one stage a step).
 namespace recoil::detail {
@@ -47,6 +47,22 @@ template <class Speed, class Ride>
   }
 }
 
+/// The same of the waves that run against the matter and are swept out with it, where it is faster than
+/// sound: stress + Z u out of the high face, stress - Z u out of the low one.
+/// @returns whether any is.
+template <class Speed, class Ride>
+[[gnu::always_inline]] inline bool find_swept(int count, const Speed& speed, const Ride& ride, Passed& out) {
+  double most = 0;
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) {
+    const double c = speed(i), u = ride(i);
+    out.high[i] = part_passed(u - c);
+    out.low[i] = part_passed(-u - c);
+    most += out.high[i] + out.low[i];
+  }
+  return most > 0;
+}
+
 /// What rides with the matter: both ends, where it flows out through them.
 inline void move_riding(int count, const Passed& passed, const double* mean, double* low, double* high) {
 #pragma GCC ivdep
@@ -57,19 +73,26 @@ inline void move_riding(int count, const Passed& passed, const double* mean, dou
   }
 }
 
-/// The waves stress -+ Z u of a row: stress - Z u runs up the axis, stress + Z u down it; each end gets the
-/// one that leaves the cell there.
-template <class Impedance>
-[[gnu::always_inline]] inline void move_waves(int count, const Passed& passed, const Impedance& impedance,
-                                              const double* stress, const double* u, double* stress_low,
-                                              double* stress_high, double* u_low, double* u_high) {
+/// The waves stress -+ Z u of a row: stress - Z u runs up the axis, stress + Z u down it; each end gets what
+/// leaves the cell there: the one that runs that way, and, in matter faster than sound, the other one too.
+template <bool Swept, class Impedance>
+[[gnu::always_inline]] inline void move_waves(int count, const Passed& passed, const Passed& swept,
+                                              const Impedance& impedance, const double* stress,
+                                              const double* u, double* stress_low, double* stress_high,
+                                              double* u_low, double* u_high) {
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double z = impedance(i), half = 0.5 / z;
     const double sl = stress_low[i], sh = stress_high[i], ul = z * u_low[i], uh = z * u_high[i];
     const double up_mean = stress[i] - z * u[i], down_mean = stress[i] + z * u[i];
-    const double up = mean_leaving(sh - uh, sl - ul, up_mean, passed.high[i]), kept_down = sh + uh;
-    const double down = mean_leaving(sl + ul, sh + uh, down_mean, passed.low[i]), kept_up = sl - ul;
+    const double up_low = sl - ul, up_high = sh - uh, down_low = sl + ul, down_high = sh + uh;
+    const double up = mean_leaving(up_high, up_low, up_mean, passed.high[i]);
+    const double down = mean_leaving(down_low, down_high, down_mean, passed.low[i]);
+    double kept_down = down_high, kept_up = up_low;
+    if constexpr (Swept) {
+      kept_down = mean_leaving(down_high, down_low, down_mean, swept.high[i]);
+      kept_up = mean_leaving(up_low, up_high, up_mean, swept.low[i]);
+    }
     stress_high[i] = 0.5 * (kept_down + up);
     u_high[i] = (kept_down - up) * half;
     stress_low[i] = 0.5 * (down + kept_up);
@@ -160,17 +183,74 @@ template <int Dim, int Axis, bool Shear>
     if constexpr (!yields_by_waves<Dim>) return c;
     return loading[i] > 0 ? std::sqrt(c * c - 4.0 / 3 * g / rho[i]) : c;
   };
-  find_passed(
-      in.count, [=](int i) { return per_dx * speed(i); }, ride, passed);
-  move_waves(
-      in.count, passed, [z](int i) { return z[i]; }, stress, u, low.stress + to, high.stress + to,
-      low.value[C::u + Axis] + to, high.value[C::u + Axis] + to);
+  const auto pace = [=](int i) { return per_dx * speed(i); };
+  find_passed(in.count, pace, ride, passed);
+  Passed swept;
+  const auto move = [&]<bool Swept>() {
+    move_waves<Swept>(
+        in.count, passed, swept, [z](int i) { return z[i]; }, stress, u, low.stress + to, high.stress + to,
+        low.value[C::u + Axis] + to, high.value[C::u + Axis] + to);
+  };
+  if (find_swept(in.count, pace, ride, swept))
+    move.template operator()<true>();
+  else
+    move.template operator()<false>();
   follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_low, low, to);
   follow_stress<Dim, Axis>(in.count, g, rho, loading, speed, ridden_high, high, to);
 }
 
+/// The waves along an axis of a cell that yields and goes on loading, by its plastic tangent.
+template <int Dim, int Axis>
+struct PlasticWaves {
+  const Primitives<Dim>& mean;
+  const Response& matter;
+  double normal;         // n_nn, n = S/|S|
+  double tangent, c, z;  // d sigma/d strain along the axis [Pa], speed [m/s], impedance
+
+  [[gnu::always_inline]] PlasticWaves(const Primitives<Dim>& w, const Response& m)
+      : mean(w),
+        matter(m),
+        normal(deviator<Dim>(w, axis, axis) * m.loading),
+        tangent(m.bulk + 2 * m.shear * (2.0 / 3 - normal * normal)),
+        c(std::sqrt(tangent / w[Components<Dim>::rho])),
+        z(w[Components<Dim>::rho] * c) {}
+
+  /// What leaves through the end `near` beyond what a straight line through both ends gives: the parabola's
+  /// share in mean_leaving(). @param sign 1 up the axis, -1 down it. @param pace of the step, over dx [s/m].
+  [[gnu::always_inline]] double beyond_line(double sign, double pace, const Primitives<Dim>& near,
+                                            const Primitives<Dim>& far) const {
+    const double passed = part_passed(pace * (c + sign * mean[u]));
+    return passed * (1 - 2.0 / 3 * passed) * 3 *
+           (wave(sign, mean) - 0.5 * (wave(sign, near) + wave(sign, far)));
+  }
+
+  /// Adds a change of the wave that runs to the side `sign` to a state, along the tangent.
+  [[gnu::always_inline]] void add(double change, double sign, Primitives<Dim>& v) const {
+    using C = Components<Dim>;
+    const double strain = 0.5 * change / tangent, shear = 2 * matter.shear * strain;
+    v[u] -= sign * 0.5 * change / z;
+    v[C::rho] -= mean[C::rho] * strain;
+    v[C::p] -= matter.bulk * strain;
+    for_each_constant<C::ep - C::s>(
+        [&](auto k) RECOIL_INLINE { v[C::s + k] -= shear * normal * matter.loading * mean[C::s + k]; });
+    for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
+      constexpr int k = C::stress(d, d);
+      if constexpr (k >= 0) v[C::s + k] += (d == Axis ? 2.0 / 3 : -1.0 / 3) * shear;
+    });
+  }
+
+ private:
+  static constexpr std::integral_constant<int, Axis> axis{};
+  static constexpr int u = Components<Dim>::u + Axis;
+
+  [[gnu::always_inline]] double wave(double sign, const Primitives<Dim>& v) const {
+    return deviator<Dim>(v, axis, axis) - v[Components<Dim>::p] - sign * z * v[u];
+  }
+};
+
 /// One cell of a row that yields and goes on loading: both ends move by the cell's own differences with the
-/// plastic tangent. `low` and `high` hold the ends of the start of the step, and get those of the middle.
+/// plastic tangent, and those of its waves that leave by their parabolas. `low` and `high` hold the ends of
+/// the start of the step, and get those of the middle.
 /// @param half of the step, over dx [s/m].
 template <int Dim, int Axis>
 [[gnu::always_inline]] inline void move_yielding(double g, const Row<Dim>& in, int i, double half,
@@ -184,11 +264,16 @@ template <int Dim, int Axis>
   }
   const double z = in.impedance[k];
   const Response m{z * z / w[C::rho] - 4.0 / 3 * g, g, in.ahead->loading[k]};
+  const PlasticWaves<Dim, Axis> waves(w, m);
+  const double up = waves.beyond_line(1, 2 * half, high, low),
+               down = waves.beyond_line(-1, 2 * half, low, high);
   const auto rate = rate_along<Dim, Axis>(w, slope, w[C::u + Axis], m);
   for (std::size_t c = 0; c < w.size(); ++c) {
     low[c] += half * rate[c];
     high[c] += half * rate[c];
   }
+  waves.add(up, 1, high);
+  waves.add(down, -1, low);
 }
 
 /// Takes the ends of one cell out of a row, p from the stress.
@@ -201,8 +286,7 @@ template <int Dim, int Axis>
   return v;
 }
 
-/// Adds what the other axes change, and puts an end of a cell that yields back into its row. Its deviator
-/// does not grow beyond that of the cell's average.
+/// Adds what the other axes change, and puts an end of a cell that yields back into its row.
 template <int Dim, int Axis>
 [[gnu::always_inline]] inline void put_end(const Row<Dim>& in, int i, Primitives<Dim> v, FaceValues<Dim>& w,
                                            int at) {
@@ -210,12 +294,6 @@ template <int Dim, int Axis>
   const std::ptrdiff_t k = in.first + i;
   if (const double* across = in.ahead->across)
     for (std::size_t c = 0; c < v.size(); ++c) v[c] += across[c * in.cells + k];
-  const double own = equivalent_stress_squared<Dim>(in.primitive + C::s * in.cells + k, in.cells),
-               end = equivalent_stress_squared<Dim>(v.data() + C::s, 1);
-  if (end > own) {
-    const double scale = std::sqrt(own / end);
-    for (int c = C::s; c < C::ep; ++c) v[c] *= scale;
-  }
   for (std::size_t c = 0; c < v.size(); ++c) w.value[c][at] = v[c];
   w.stress[at] = deviator<Dim>(v, Axis, Axis) - v[C::p];
 }
