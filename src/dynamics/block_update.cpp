@@ -85,6 +85,7 @@ void gather_values(const Body<Dim>& body, int slot, const AnyEos& eos, double sh
                    Scratch& scratch) {
   using C = Components<Dim>;
   w.fails = can_fail(body.material.damage);
+  w.flattens = has_tension(body.material.eos);  // not in gases (docs/decisions/0046)
   if (w.fails || eos.barotropic)
     gather_primitives<C::primitives>(body, slot, eos.rho0, w, scratch);
   else

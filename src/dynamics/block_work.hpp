@@ -32,6 +32,7 @@ struct Work {
   double* shear = nullptr;                 // shear modulus; null: the same in every state
   std::uint8_t* role = nullptr;            // null where every cell has a value
   bool fails = false;                      // the matter can fail
+  bool flattens = false;                   // values at faces are flattened in strong shocks
   std::uint8_t* failed = nullptr;          // FailedCell of each cell of the window; null: nothing has failed
   std::uint8_t* never_yields = nullptr;    // 1 where matter never yields; null: nowhere
   std::uint8_t* beside_contact = nullptr;  // 1 where it lies beside a contact as well; null: nowhere
@@ -48,9 +49,10 @@ struct Work {
   std::size_t carried() const { return carried_contents<Dim>(fails); }
 
   Row<Dim> row(std::ptrdiff_t first, std::ptrdiff_t step, int count) const {
-    return {
-        primitive, stress, impedance,    wide,  first,          step, count, ahead.dt > 0 ? &ahead : nullptr,
-        fails,     failed, never_yields, shear, beside_contact, role};
+    return {primitive,      stress, impedance,    wide,
+            first,          step,   count,        ahead.dt > 0 ? &ahead : nullptr,
+            fails,          failed, never_yields, shear,
+            beside_contact, role,   flattens};
   }
 };
 

@@ -88,6 +88,7 @@ void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t a
                w.fails};
   if (w.shear) row.shear = shear.data();
   row.role = role.data();
+  row.flattens = w.flattens;
   counters.first_order_faces += Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out);
 }
 

@@ -55,6 +55,7 @@ struct Row {
   const double* shear = nullptr;                 // [cells] shear modulus; null: the same in every state
   const std::uint8_t* beside_contact = nullptr;  // 1 in cells whose faces lose less; null: in none
   const std::uint8_t* role = nullptr;            // Role of the cells; null: all are regular
+  bool flattens = false;                         // values at faces are flattened in strong shocks
 
   std::size_t carried() const { return carried_contents<Dim>(fails); }
 };

@@ -108,7 +108,7 @@ void reconstruct(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, in
   }
   if constexpr (Dim == 3 && Axis == 2)
     detail::reconstruct_turned(of(C::s), of(C::s + 1), in.step, in.count, cells, ends(C::s), ends(C::s + 1));
-  detail::flatten_strong_shocks<Dim, Axis>(in, to, low, high);
+  if (in.flattens) detail::flatten_strong_shocks<Dim, Axis>(in, to, low, high);
   if (in.ahead) detail::move_half_step<Dim, Axis, Shear>(shear_modulus, eos.barotropic, in, to, low, high);
   for (int c = C::ep; c < static_cast<int>(in.carried()); ++c)
     detail::keep_positive(of(c), in.count, ends(c));
