@@ -53,10 +53,14 @@ if(recoil_test_sources)
         Fracture/2.AScabFliesOff
         Fracture/2.BlocksAndThreadsDoNotMatter
         MovingStrain.KeepsItsProfileAtAnyAngle
+        NonlocalDamage/2.BlocksAndThreadsDoNotMatter
+        NonlocalDamage/2.BudgetsClose
         OneStage.AWaveAcrossSpaceConvergesAtSecondOrder
         PictureFile.SameFieldGivesTheSameBytes
         Regrid/1.PlatesAreAsOnTheFinestMesh
+        Regrid/1.ThreadsGiveTheSameBits
         Regrid/2.PlatesAreAsOnTheFinestMesh
+        Regrid/2.RandomLevelsKeepSumsAndLinearFields
         Regrid/2.ThreadsGiveTheSameBits
         Schemes/GhostFluid.ThreadsAndBlocksGiveTheSameBits/Seed)
     list(JOIN recoil_long_tests ":" recoil_long_tests)

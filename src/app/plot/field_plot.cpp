@@ -28,9 +28,19 @@
 
 namespace recoil::app {
 
+namespace {
+
+constexpr double told_difference = 0.01;  // between the time of a picture and the one asked for
+
+}  // namespace
+
 int plot_field(const PlotOptions& o) {
-  const ChosenDump chosen = choose_dump(
-      o.folder, o.at.empty() ? std::nullopt : std::optional<double>(quantity_option(o.at, "s", "--at")));
+  const auto wanted = o.at.empty() ? std::nullopt : std::optional<double>(quantity_option(o.at, "s", "--at"));
+  const ChosenDump chosen = choose_dump(o.folder, wanted);
+  if (wanted && std::abs(chosen.time_s - *wanted) > told_difference * *wanted)
+    fmt::print(
+        "note: {:.6g} us is the saved time nearest to {:.6g} us; [output.fields] every = ... saves more\n",
+        chosen.time_s * 1e6, *wanted * 1e6);
   const Canvas canvas = FieldPlotter(o).draw(chosen);
   return save_picture(o, canvas,
                       fmt::format("{}_{:.4g}us{}", o.what.front(), chosen.time_s * 1e6,
