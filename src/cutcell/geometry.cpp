@@ -19,14 +19,14 @@ namespace {
 constexpr double normal_step = 0.01;  // [dx] either way: a sharp edge is narrow
 
 template <int Dim>
-CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, const Corners<Dim>& corner) {
+CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, const Corners<Dim>& corner,
+                      const FaceClips<Dim>& faces) {
   CutCell<Dim> c;
   c.cell = cell;
   const double area = grid.dx_power(Dim - 1), volume = grid.dx_power(Dim);
   const auto radius = [&](const Vec<Dim>& x) {
     return grid.axisymmetric ? std::abs(grid.origin[0] + (i[0] + x[0]) * grid.dx) : 1.0;
   };
-  const FaceClips<Dim> faces = clip_faces<Dim>(corner);
   for (int d = 0; d < Dim; ++d)
     for (int side = 0; side < 2; ++side) {
       const Clip<Dim>& face = faces[d][side];
@@ -81,8 +81,25 @@ bool find_kinds(const double* node, const Offsets<Dim>& corner, int count, CellK
   return any;
 }
 
+/// Clips the faces of the cell that is to be the next cut one. A face that it shares with a cut cell before
+/// it has been clipped with that.
 template <int Dim>
-void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, Geometry<Dim>& g) {
+void clip_beside(const Box<Dim>& layout, const Box<Dim>& cells, const Index<Dim>& i, int cell,
+                 const Corners<Dim>& corner, const Geometry<Dim>& g, FaceClips<Dim>* faces) {
+  FaceClips<Dim>& own = faces[g.cuts.size()];
+  for (int d = 0; d < Dim; ++d) {
+    const int below = i[d] > cells.lo[d] ? g.index[cell - layout.stride(d)] : -1;
+    own[d][1] = clip_face<Dim>(corner, d, 1);
+    own[d][0] = below < 0 ? clip_face<Dim>(corner, d, 0) : faces[below][d][1];
+    own[d][0].centroid[d] = 0;
+  }
+}
+
+template <int Dim>
+void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, Geometry<Dim>& g,
+              Scratch& scratch) {
+  const Scratch::Frame frame(scratch);
+  auto* faces = scratch.take<FaceClips<Dim>>(static_cast<std::size_t>(w.inner().size()));  // of the cut cells
   const Box<Dim> cells = w.inner(), nodes = node_box(cells);
   Offsets<Dim> offset{};
   for (int c = 0; c < 1 << Dim; ++c)
@@ -103,7 +120,8 @@ void classify(const Grid<Dim>& grid, const Window<Dim>& w, const double* node, G
       Corners<Dim> corner{};
       for (std::size_t o = 0; o < corner.size(); ++o) corner[o] = p[c + offset[o]];
       g.index[first + c] = static_cast<int>(g.cuts.size());
-      g.cuts.push_back(cut_cell(grid, i, first + c, corner));
+      clip_beside<Dim>(grid.layout(), cells, i, first + c, corner, g, faces);
+      g.cuts.push_back(cut_cell<Dim>(grid, i, first + c, corner, faces[g.cuts.size()]));
     }
   });
 }
@@ -159,7 +177,7 @@ void find_geometry(State<Dim>& state, int slot, Surfaces surfaces, PhiAt when, S
     for (int k = 0; k < n; ++k) share_node(nodes, k, state.grid().dx);
   for (const Nodes& m : nodes) {
     BodyBlock<Dim>& b = state.bodies[m.body].at(slot);
-    classify(state.grid(), w, m.phi, when == PhiAt::midstep ? b.geometry : b.end_geometry);
+    classify(state.grid(), w, m.phi, when == PhiAt::midstep ? b.geometry : b.end_geometry, scratch);
     if (when == PhiAt::midstep && !m.rigid) b.matter = matter_box(w, b);
   }
 }

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "cutcell/geometry.hpp"
+#include "cutcell/holders.hpp"
 #include "state/level_set_view.hpp"
 
 namespace recoil {
@@ -22,15 +23,6 @@ constexpr double home_fill = 0.3;      // where lone fragments go
 constexpr int reach = 8;  // own cells <- neighbourhoods (2) <- members (2) <- their counts (2 + 2)
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
-
-/// One small fragment with the cells that it shares with. Members are places in the window, the fragment
-/// itself first.
-struct Neighbourhood {
-  int cell = 0;
-  int first = 0, members = 0;
-  int axis = -1, direction = 0;  // of a pair that keeps a slope
-  bool alone = false;
-};
 
 template <int Dim>
 class Redistribution {
@@ -168,40 +160,10 @@ class Redistribution {
     }
   }
 
-  /// For every cell the neighbourhoods that hold it, in the order of their cells.
   void list_holders() {
-    held_ = scratch_.take_filled<int>(n_, 0);
-    is_small_ = scratch_.take_filled<std::uint8_t>(n_, 0);
-    int total = 0;
-    for (int s = 0; s < smalls_; ++s) {
-      is_small_[small_[s].cell] = 1;
-      for (int m = 0; m < small_[s].members; ++m) ++held_[members_[small_[s].first + m]];
-      total += small_[s].members;
-    }
-    first_holder_ = scratch_.take<int>(n_);
-    int* fill = scratch_.take_filled<int>(n_, -1);
-    holders_ = scratch_.take<int>(static_cast<std::size_t>(total));
-    int used = 0;
-    for (int s = 0; s < smalls_; ++s)
-      for (int m = 0; m < small_[s].members; ++m) {
-        const int k = members_[small_[s].first + m];
-        if (fill[k] < 0) {
-          fill[k] = first_holder_[k] = used;
-          used += held_[k];
-        }
-        holders_[fill[k]++] = s;
-      }
+    holders_ = list_holders_of(small_, smalls_, members_, n_, scratch_);
     merged_ = scratch_.take<Merged>(static_cast<std::size_t>(smalls_));
     for (int s = 0; s < smalls_; ++s) merged_[s].known = false;
-  }
-
-  /// N_j of a cell: a fragment that is not small is a neighbourhood of its own.
-  int shares(int k) const { return held_[k] + (is_small_[k] != 0 ? 0 : 1); }
-  /// The neighbourhoods that hold a cell.
-  std::span<const int> holders(int k) const {
-    return held_[k] > 0
-               ? std::span<const int>(holders_ + first_holder_[k], static_cast<std::size_t>(held_[k]))
-               : std::span<const int>();
   }
 
   Q contents(int k) const {
@@ -238,7 +200,7 @@ class Redistribution {
     double volume = 0;
     for (int j = 0; j < h.members; ++j) {
       const int k = members_[h.first + j];
-      const double share = 1.0 / shares(k);
+      const double share = 1.0 / holders_.shares(k);
       volume += share * volume_[k];
       m.centre += share * volume_[k] * centroid(k);
       const Q q = contents(k);
@@ -296,8 +258,8 @@ class Redistribution {
   /// Of a cell without volume: what has flowed in stays its own where a neighbourhood is too small to share.
   Q contents_without_volume(int k) {
     double part = 0;
-    for (const int s : holders(k))
-      if (!merged(s).possible) part += 1.0 / shares(k);
+    for (const int s : holders_.of(k))
+      if (!merged(s).possible) part += 1.0 / holders_.shares(k);
     Q q = contents(k);
     for (double& c : q) c *= part;
     return q;
@@ -308,16 +270,16 @@ class Redistribution {
     const Q old = contents(k);
     const double per_volume = 1 / volume_[k];
     Q sum{};
-    if (!is_small_[k])
+    if (!holders_.is_small[k])
       for (std::size_t c = 0; c < old.size(); ++c) sum[c] = old[c] * per_volume;
-    for (const int s : holders(k)) {
+    for (const int s : holders_.of(k)) {
       const Merged& m = merged(s);
       const double z =
           small_[s].axis >= 0 && m.possible ? centroid(k)[small_[s].axis] - m.centre[small_[s].axis] : 0;
       for (std::size_t c = 0; c < old.size(); ++c)
         sum[c] += m.possible ? m.mean[c] + m.slope[c] * z : old[c] * per_volume;
     }
-    const double share = volume_[k] / shares(k);
+    const double share = volume_[k] / holders_.shares(k);
     for (double& c : sum) c *= share;
     return sum;
   }
@@ -360,13 +322,13 @@ class Redistribution {
     }
     for_each(inner, [&](const Index<Dim>& i) {
       const int k = window_.at(i);
-      bool involved = held_[k] > 0;
+      bool involved = holders_.any(k);
       for (int l = 0; l < lone; ++l) involved = involved || lone_home[l] == k;
       if (!involved) return;
       Update<Dim> u;
       u.cell = window_.cell(i);
       u.volume = volume_[k];
-      u.contents = held_[k] > 0 ? new_contents(k) : contents(k);
+      u.contents = holders_.any(k) ? new_contents(k) : contents(k);
       for (int l = 0; l < lone; ++l) {
         if (lone_cell[l] == k) {
           u.volume = 0;
@@ -393,8 +355,8 @@ class Redistribution {
   int smalls_ = 0;
   int* index_ = nullptr;          // of cut cells
   std::uint8_t* role_ = nullptr;  // of the start of the step
-  int *members_ = nullptr, *held_ = nullptr, *first_holder_ = nullptr, *holders_ = nullptr;
-  std::uint8_t* is_small_ = nullptr;
+  int* members_ = nullptr;
+  Holders holders_;
   Merged* merged_ = nullptr;
 };
 

@@ -39,6 +39,7 @@ double return_cell(const StrengthModel& at_rest, const Body<Dim>& body, double* 
   const double mass = q[C::rho * n], rho = mass / v;
   if (!(rho > 0)) return 0;
   const double trial2 = equivalent_stress_squared<Dim>(q + C::s * n, n) / (mass * mass);
+  if (trial2 == 0) return 0;
   const double ep = q[C::ep * n] / mass > 0 ? q[C::ep * n] / mass : 0.0;
   double kinetic = 0;
   for (std::size_t d = 0; d < Dim; ++d) kinetic += q[(C::u + d) * n] * q[(C::u + d) * n];

@@ -39,8 +39,8 @@ class Candidates {
     unknown_ = scratch.take<std::uint8_t>(n + beyond);
     std::copy(donates_, donates_ + n + beyond, unknown_);
     fill_ = scratch.take_filled<double>(n + beyond, 0);
-    place_ = scratch.take_filled<int>(n, -1);
-    for (double*& component : centroid_) component = scratch.take_filled<double>(n + beyond, 0);
+    place_ = scratch.take<int>(n);
+    for (double*& component : centroid_) component = scratch.take<double>(n + beyond);
   }
 
   /// Looks up the cells of a row from index i on, which is place k of the window. @returns whether any of it
@@ -56,6 +56,7 @@ class Candidates {
   /// V/full of the cells from place k on, at most 1; 0: does not donate.
   const double* fills(int k) const { return fill_ + k; }
   /// Centroids of the matter from the centres of the cells, as the window shows them, from place k on [dx].
+  /// Anything where a cell does not donate.
   std::array<const double*, Dim> centroids(int k) const {
     std::array<const double*, Dim> from;
     for (std::size_t d = 0; d < Dim; ++d) from[d] = centroid_[d] + k;
@@ -78,6 +79,8 @@ class Candidates {
     const Grid<Dim>& grid = state_.grid();
     const Index<Dim> cell = state_.mesh.block(from.slot).cells.lo + grid.layout().index(from.cell);
     unknown_[k] = 0;
+    place_[k] = -1;
+    for (double* component : centroid_) component[k] = 0;
     fill_[k] = std::min(home.volume[from.cell] / grid.full_volume(cell), 1.0);
     if (const int cut = home.geometry.index[from.cell]; cut >= 0) {
       const Vec<Dim>& centroid = home.geometry.cuts[cut].centroid;
@@ -92,6 +95,7 @@ class Candidates {
   static constexpr std::size_t beyond = 8;  // places behind the last cell, which rows may read
   std::uint8_t *donates_, *unknown_;        // the latter: not looked up yet
   double* fill_;
+  // Set where a cell has been looked up:
   int* place_;  // -1: not in Donors::cells yet
   std::array<double*, Dim> centroid_;
 };

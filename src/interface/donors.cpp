@@ -8,6 +8,7 @@
 #include <cstring>
 #include <variant>
 
+#include "core/constants.hpp"
 #include "core/error.hpp"
 #include "core/multiversion.hpp"
 #include "dynamics/primitives.hpp"
@@ -173,13 +174,13 @@ class Rims {
 /// Four numbers that are computed with at once.
 using Four [[gnu::vector_size(32)]] = double;
 
-/// Where the cells of a row lie from a surface point [dx], and whether they donate to its fit.
+/// How far the matter of the cells of a row lies from a surface point [dx], and whether it donates to its
+/// fit.
 template <int Dim>
 struct RowPlaces {
   static constexpr int longest = (2 * fit_reach + 1 + 3) / 4 * 4;  // in whole Fours
   using Numbers = std::array<double, longest>;
-  alignas(Four) std::array<Numbers, Dim> x;  // of the centroids of their matter
-  alignas(Four) Numbers across2, along2;     // squares of the distances across and along the surface
+  alignas(Four) Numbers across2, along2;  // squares of the distances across and along the surface
   alignas(Four) std::array<std::int64_t, longest> donates;
 };
 
@@ -195,12 +196,12 @@ RECOIL_MULTIVERSION void place_row(int count, const Vec<Dim>& start, int lowest,
     const Four columns{0, 1, 2, 3};
     Four across{}, square{}, full;
     std::array<Four, Dim> x;
-    for (std::size_t d = 0; d < Dim; ++d) {
+    for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
       std::memcpy(&x[d], centroid[d] + c, sizeof(Four));
-      x[d] = (d == 0 ? (lowest + c + columns) - at : start.c[d] + Four{}) + x[d];
-      across += x[d] * reach.normal.c[d];
+      x[d] = (d == 0 ? (lowest + c + columns) - at : start[d] + Four{}) + x[d];
+      across += x[d] * reach.normal[d];
       square += x[d] * x[d];
-    }
+    });
     std::memcpy(&full, fill + c, sizeof(Four));
     const Four across2 = across * across, rest = square - across2, along2 = rest > 0 ? rest : Four{};
     auto holds = full > 0;
@@ -208,7 +209,6 @@ RECOIL_MULTIVERSION void place_row(int count, const Vec<Dim>& start, int lowest,
       holds &= (across2 <= across2_most) & (along2 <= along2_most);
     else
       for (const Four& v : x) holds &= (v <= widened) & (v >= -widened);
-    for (std::size_t d = 0; d < Dim; ++d) std::memcpy(&row.x[d][c], &x[d], sizeof(Four));
     std::memcpy(&row.across2[c], &across2, sizeof(Four));
     std::memcpy(&row.along2[c], &along2, sizeof(Four));
     std::memcpy(&row.donates[c], &holds, sizeof(Four));
@@ -237,11 +237,12 @@ int collect(const Grid<Dim>& grid, const Window<Dim>& w, const Vec<Dim>& point, 
     Vec<Dim> start;
     for (int d = 1; d < Dim; ++d) start[d] = i[d] - at[d];
     const double* fill = candidates.fills(first);
-    place_row<Dim>(width, start, i[0], at[0], reach, candidates.centroids(first), fill, row);
+    const auto centroid = candidates.centroids(first);
+    place_row<Dim>(width, start, i[0], at[0], reach, centroid, fill, row);
     for (int c = 0; c < width; ++c, ++i[0]) {
       if (row.donates[c] == 0) continue;
       Vec<Dim> x;
-      for (std::size_t d = 0; d < Dim; ++d) x.c[d] = row.x[d][c];
+      for (int d = 0; d < Dim; ++d) x[d] = i[d] - at[d] + centroid[d][c];
       donors.parts.push_back({candidates.place(i, first + c, donors.cells),
                               reach.weight(row.across2[c], row.along2[c]) * fill[c], x});
     }

@@ -27,6 +27,16 @@ requires(!Model::rate_dependent) double plastic_increment(const Model& s, double
   return excess / (3 * s.shear_modulus + slope);
 }
 
+/// Whether a stress is inside a yield surface of Johnson and Cook's form for sure, by a bound without a
+/// power: hardening and rate only raise the surface, and T*^m <= T* where m >= 1.
+template <class Model>
+bool is_well_inside(const Model& s, double q_trial, double temperature) {
+  constexpr double rounding = 1e-9;
+  const double t = std::max(
+      (temperature - s.reference_temperature) / (s.melting_temperature - s.reference_temperature), 0.0);
+  return s.m >= 1 && q_trial < s.a * (1 - t - rounding);
+}
+
 /// Newton's method in y = ln(dep/(dt reference_rate)). Its residual falls with y and is concave (see
 /// Model::expand), so that steps from the right of the root approach it without overshoot: no
 /// bracket is needed, a few steps suffice, and the same input gives the same bits.
@@ -34,6 +44,7 @@ template <class Model>
 requires(Model::rate_dependent&& requires {
   &Model::expand;
 }) double plastic_increment(const Model& s, double q_trial, const YieldState& before, double dt) {
+  if (is_well_inside(s, q_trial, before.temperature)) return 0;
   const double ep = before.ep, soft = s.softening(before.temperature);
   const double static_yield = soft * s.yield({.ep = ep, .temperature = s.reference_temperature});
   const double excess = q_trial - static_yield;
