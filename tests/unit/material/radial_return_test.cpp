@@ -45,6 +45,28 @@ TEST(RadialReturn, SatisfiesItsEquation) {
   });
 }
 
+TEST(RadialReturn, WhatIsWellInsideDoesNotYield) {
+  const JohnsonCook copper{.shear_modulus = 46e9,
+                           .a = 90e6,
+                           .b = 292e6,
+                           .n = 0.31,
+                           .c = 0.025,
+                           .m = 1.09,
+                           .melting_temperature = 1356};
+  int inside = 0;
+  for (const double t : {200.0, 298.0, 299.0, 700.0, 1355.0, 1355.999999, 1356.0, 3000.0})
+    for (const double part : {0.0, 0.5, 0.99, 1 - 1e-8, 1.0, 1.5}) {
+      const double q = part * copper.yield({.ep = 0, .temperature = t});
+      if (!is_well_inside(copper, q, t)) continue;
+      ++inside;
+      EXPECT_LT(q, copper.yield({.ep = 0, .temperature = t})) << t;
+    }
+  EXPECT_GT(inside, 10);
+  JohnsonCook soft = copper;  // which softens faster than T* below melting
+  soft.m = 0.5;
+  EXPECT_FALSE(is_well_inside(soft, 0, 700));
+}
+
 TEST(RadialReturn, NeverLeavesStressOutsideNorMakesEnergy) {
   for_many_returns([](const auto& s, double q, const YieldState& before, double dt, double dep) {
     if (!(s.shear_modulus > 0)) return;
