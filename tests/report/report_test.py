@@ -90,7 +90,7 @@ class Report(Program):
     def test_pages(self):
         plane = self.run_case("flyer_axisymmetric", "axisymmetric", "mesh.finest=0.5mm", "time.end=1.5us",
                               "output.fields.every=0.1us")
-        line = self.run_case("flyer_al_cu", "line", COARSE[1], "output.fields.every=0.2us")
+        line = self.run_case("flyer_al_cu", "line", *COARSE[1:], "output.fields.every=0.2us")
         other = self.run_case("flyer_al_cu", "other", "mesh.finest=0.25mm", "output.report=false")
         space = self.run_case("sphere_on_plate", "space", "mesh.finest=2mm", "time.end=4us",
                               "output.fields.every=1us")
