@@ -28,13 +28,19 @@ requires(!Model::rate_dependent) double plastic_increment(const Model& s, double
 }
 
 /// Whether a stress is inside a yield surface of Johnson and Cook's form for sure, by a bound without a
-/// power: hardening and rate only raise the surface, and T*^m <= T* where m >= 1.
+/// power: hardening and rate only raise the surface, and T*^m <= T* where m >= 1. False for models that do
+/// not soften in that way.
 template <class Model>
-bool is_well_inside(const Model& s, double q_trial, double temperature) {
-  constexpr double rounding = 1e-9;
-  const double t = std::max(
-      (temperature - s.reference_temperature) / (s.melting_temperature - s.reference_temperature), 0.0);
-  return s.m >= 1 && q_trial < s.a * (1 - t - rounding);
+bool is_well_inside([[maybe_unused]] const Model& s, [[maybe_unused]] double q_trial,
+                    [[maybe_unused]] double temperature) {
+  if constexpr (requires { s.a, s.m, s.melting_temperature; }) {
+    constexpr double rounding = 1e-9;
+    const double t = std::max(
+        (temperature - s.reference_temperature) / (s.melting_temperature - s.reference_temperature), 0.0);
+    return s.m >= 1 && q_trial < s.a * (1 - t - rounding);
+  } else {
+    return false;
+  }
 }
 
 /// Newton's method in y = ln(dep/(dt reference_rate)). Its residual falls with y and is concave (see
