@@ -20,6 +20,8 @@ constexpr double target_fill = 0.5;    // fragments below are redistributed, nei
 constexpr double member_fill = 0.001;  // least part of a cell that a member fills
 constexpr double merge_fill = 0.02;    // least volume of a neighbourhood
 constexpr double home_fill = 0.3;      // where lone fragments go
+// Differences of density, in parts of it, between the two cells behind a pair: calm ones, and a strong shock.
+constexpr double calm_jump = 0.05, shocked_jump = 0.1;
 constexpr int reach = 8;  // own cells <- neighbourhoods (2) <- members (2) <- their counts (2 + 2)
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
@@ -225,12 +227,22 @@ class Redistribution {
     if (volume_[one] < target_fill * full(i1) || volume_[two] < target_fill * full(i2)) return;
     const double x0 = m.centre[h.axis], x1 = centroid(one)[h.axis], x2 = centroid(two)[h.axis];
     const Q q1 = contents(one), q2 = contents(two);
+    const double calm = calm_part(q1[0] / volume_[one], q2[0] / volume_[two]);
     for (std::size_t c = 0; c < q1.size(); ++c) {
       const double u1 = q1[c] / volume_[one], u2 = q2[c] / volume_[two];
-      m.slope[c] = minmod((m.mean[c] - u1) / (x0 - x1), (u1 - u2) / (x1 - x2));
+      m.slope[c] = calm * minmod((m.mean[c] - u1) / (x0 - x1), (u1 - u2) / (x1 - x2));
     }
     for (int c = Components<Dim>::ep; c < Components<Dim>::contents; ++c) keep_positive(h, m, c);
     keep_damage_whole(h, m);
+  }
+
+  /// Which part of its slope a pair keeps in front of a strong shock, by the densities behind it. The foot of
+  /// the shock is convex: drawn on outwards it ends below the state ahead, in a tension that grows from step
+  /// to step.
+  double calm_part(double rho1, double rho2) const {
+    if (!has_tension(body_.material.eos)) return 1;
+    const double jump = std::abs(rho1 - rho2) / std::min(rho1, rho2);
+    return std::clamp((shocked_jump - jump) / (shocked_jump - calm_jump), 0.0, 1.0);
   }
 
   /// Damage of the pair that the slopes of it and of the density would take beyond 1 is uniform by mass.

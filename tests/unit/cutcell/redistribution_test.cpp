@@ -113,6 +113,26 @@ TYPED_TEST(Redistributing, ATinyPieceTakesTheStateOfItsNeighbourhood) {
   });
 }
 
+/// The foot of a shock is convex: a slope drawn on outwards would leave less at the surface than there is
+/// ahead of it.
+TYPED_TEST(Redistributing, AStrongShockBehindTakesNothingOffTheSurface) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->random_ball(this->grid, 0);
+  const auto one = per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+  const double dx = this->grid.dx;
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    const double depth = -b.phi[k] / dx;
+    auto q = one;
+    for (double& c : q) c *= depth < 1.5 ? 1 : depth < 2.5 ? 1.02 : depth < 3.5 ? 1.2 : 1.3;
+    set_piece(b, k, b.volume[k], q);
+  });
+  this->run(state);
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    if (b.volume[k] == 0) return;
+    EXPECT_GE(b.contents[k] / b.volume[k] / one[0], 1 - 1e-12);
+  });
+}
+
 /// A fragment that was small at the start of the step is redistributed to the end of it, even if it has
 /// become large: fluxes do not see its own state before the next step.
 TYPED_TEST(Redistributing, APieceThatHasGrownIsStillRedistributed) {
