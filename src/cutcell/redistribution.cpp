@@ -325,7 +325,9 @@ class Redistribution {
       const Index<Dim> i = window_.box().index(small_[s].cell);
       if (!inner.grown(3).contains(i) || merged(s).possible) continue;
       if (inner.contains(i)) ++counters_.unmerged_fragments;
-      if (!small_[s].alone) continue;
+      // One that others hold is shared by them; what it would then take along depends on cells beyond the
+      // window.
+      if (!small_[s].alone || holders_.of(small_[s].cell).size() > 1) continue;
       const int home = home_of(small_[s].cell);
       if (home < 0) continue;
       lone_cell[lone] = small_[s].cell;
