@@ -73,11 +73,11 @@ class StateSurvey {
   static void merge(Finding& into, const Finding& more);
   static void merge(Line& into, const Line& more);
   /// Those of all ranks together, on rank 0.
-  static std::vector<Line> gathered(std::vector<Line> own, const parallel::World& world);
+  static std::vector<Line> gathered(std::vector<Line> lines, const parallel::World& world);
   std::vector<Line> own_lines(const State<Dim>& state, const AveragedStates* averaged) const;
   std::vector<BodyEvidence> told(const State<Dim>& state, const std::vector<Line>& lines) const;
   void look_at_block(const State<Dim>& state, int slot, std::vector<Line>& lines) const;
-  void look_at_cell(const State<Dim>& state, int body, int slot, const Index<Dim>& cell, std::size_t k,
+  void look_at_cell(const State<Dim>& state, int m, int slot, const Index<Dim>& cell, std::size_t k,
                     Line& line) const;
 
   /// What a body's states are held against.
