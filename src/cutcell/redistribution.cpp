@@ -227,7 +227,7 @@ class Redistribution {
     if (volume_[one] < target_fill * full(i1) || volume_[two] < target_fill * full(i2)) return;
     const double x0 = m.centre[h.axis], x1 = centroid(one)[h.axis], x2 = centroid(two)[h.axis];
     const Q q1 = contents(one), q2 = contents(two);
-    const double calm = calm_part(q1[0] / volume_[one], q2[0] / volume_[two]);
+    const double calm = slope_kept_by(q1[0] / volume_[one], q2[0] / volume_[two]);
     for (std::size_t c = 0; c < q1.size(); ++c) {
       const double u1 = q1[c] / volume_[one], u2 = q2[c] / volume_[two];
       m.slope[c] = calm * minmod((m.mean[c] - u1) / (x0 - x1), (u1 - u2) / (x1 - x2));
@@ -239,7 +239,7 @@ class Redistribution {
   /// Which part of its slope a pair keeps in front of a strong shock, by the densities behind it. The foot of
   /// the shock is convex: drawn on outwards it ends below the state ahead, in a tension that grows from step
   /// to step.
-  double calm_part(double rho1, double rho2) const {
+  double slope_kept_by(double rho1, double rho2) const {
     if (!has_tension(body_.material.eos)) return 1;
     const double jump = std::abs(rho1 - rho2) / std::min(rho1, rho2);
     return std::clamp((shocked_jump - jump) / (shocked_jump - calm_jump), 0.0, 1.0);

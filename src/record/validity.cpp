@@ -69,8 +69,8 @@ constexpr std::array cures{Cure{"tension",
                                 "'material.*.damage'`; `recoil new spall` writes an "
                                 "example); without it the states after the tension are those of no material"},
                            Cure{"melting",
-                                "temperature = \"energy\" in [material.*.thermal] lets Johnson-Cook's "
-                                "strength see the heat of shocks"},
+                                "a strength model that melts: Johnson-Cook with temperature = \"energy\" in "
+                                "[material.*.thermal], or Steinberg-Guinan"},
                            Cure{"thickness", "a finer mesh.finest"}};
 
 std::string percent(double part) { return fmt::format("{:.2g} %", 100 * part); }

@@ -58,13 +58,13 @@ void warn_of(LoadedCase& loaded, const config::Body& body, const Material& mater
   loaded.found.warning(
       body.material_place,
       fmt::format(
-          "releases will pull '{}' with some {:.3g} GPa at about {:.3g} us, and its material counts as torn "
+          "releases will pull '{}' with about {:.3g} GPa at {:.3g} us, and its material counts as torn "
           "at {:.3g} GPa; without damage it does not break, and the run will be doubtful or stop",
           body.name, pull.tension * 1e-9, pull.time * 1e6, borne * 1e-9),
-      fmt::format(
-          "end before, or a material with base = \"{}\" and damage = {{ kind = \"tensile\", threshold = "
-          "\"{}\", time = \"0.02 us\" }}: `recoil new spall` is an example",
-          body.material, threshold));
+      fmt::format("end the run before, or take a material with base = \"{}\" and damage = {{ kind = "
+                  "\"tensile\", threshold = "
+                  "\"{}\", time = \"0.02 us\" }}: `recoil new spall` writes an example",
+                  body.material, threshold));
 }
 
 void check_pair(LoadedCase& loaded, const PlatePair& pair, std::set<int>& warned) {

@@ -39,7 +39,8 @@ int plot_field(const PlotOptions& o) {
   const ChosenDump chosen = choose_dump(o.folder, wanted);
   if (wanted && std::abs(chosen.time_s - *wanted) > told_difference * *wanted)
     fmt::print(
-        "note: {:.6g} us is the saved time nearest to {:.6g} us; [output.fields] every = ... saves more\n",
+        "note: {:.6g} us is the saved time nearest to {:.6g} us; more are saved with a shorter `every` in "
+        "[output.fields]\n",
         chosen.time_s * 1e6, *wanted * 1e6);
   const Canvas canvas = FieldPlotter(o).draw(chosen);
   return save_picture(o, canvas,

@@ -28,7 +28,7 @@ std::string told(const std::string& end, const std::string& limits = "limits.bud
 TEST(CheckTension, ReleasesThatPullHarderThanAMaterialBearsAreTold) {
   EXPECT_EQ(told("1.5us"), "") << "they have not met";
   const std::string text = told("2us");
-  EXPECT_NE(text.find("will pull 'target' with some 5."), std::string::npos) << text;
+  EXPECT_NE(text.find("will pull 'target' with about 5."), std::string::npos) << text;
   EXPECT_NE(text.find("1.4 GPa"), std::string::npos) << text;
   EXPECT_EQ(text.find("'flyer'"), std::string::npos) << text;
 }
