@@ -33,6 +33,15 @@ const char* rank_from_launcher() {
   return nullptr;
 }
 
+/// A process that waits for a message gives its processor away where there are more processes than processors
+/// only: where other programs run it gets it back milliseconds later, at each of some 40 waits of a step.
+/// @param ranks on this machine; null: unknown.
+void choose_idle(const char* ranks) {
+  const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+  const bool enough = ranks != nullptr && std::strtol(ranks, nullptr, 10) <= processors;
+  setenv("OMPI_MCA_mpi_yield_when_idle", enough ? "0" : "1", 0);
+}
+
 }  // namespace
 
 std::filesystem::path program_file() {
@@ -50,13 +59,15 @@ bool speaks() {
 }
 
 void prepare_mpi_environment() {
-  for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
-                           "OMPI_MCA_rmaps_base_oversubscribe", "OMPI_MCA_mpi_yield_when_idle",
-                           "OMPI_MCA_ess_singleton_isolated"})  // the last: one process starts no daemon
+  for (const char* name :
+       {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_rmaps_base_oversubscribe",
+        "OMPI_MCA_ess_singleton_isolated"})  // the last: one process starts no daemon
     setenv(name, "1", 0);
+  choose_idle(std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE"));
 }
 
 void become_mpirun(int ranks, const std::vector<std::string>& arguments) {
+  choose_idle(std::to_string(ranks).c_str());
   prepare_mpi_environment();
   // -q: an exit code of ours is no failure of MPI that needs a page of explanation.
   std::vector<std::string> words{"mpirun", "-q", "-n", std::to_string(ranks), program_file().string()};

@@ -17,7 +17,7 @@ bool speaks();
 bool launched();
 
 /// What Open MPI needs in containers: leave to run as root, with more processes than processors, waiting
-/// without heat. Variables that the user has set stay.
+/// without heat where they share processors. Variables that the user has set stay.
 void prepare_mpi_environment();
 
 /// Becomes `mpirun -n RANKS program ARGUMENTS...`; does not return.

@@ -27,6 +27,7 @@ class Timers {
     std::chrono::steady_clock::time_point start_;
   };
 
+  void add(Part part, double seconds) { seconds_[static_cast<std::size_t>(part)] += seconds; }
   double seconds(Part part) const { return seconds_[static_cast<std::size_t>(part)]; }
   double total() const {
     double sum = 0;

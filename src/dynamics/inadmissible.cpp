@@ -131,13 +131,6 @@ std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slo
 }
 
 template <int Dim>
-bool has_inadmissible(const BodyBlock<Dim>& b) {
-  for (const std::uint8_t r : b.role)
-    if ((r & has_bad_contents) != 0) return true;
-  return false;
-}
-
-template <int Dim>
 void clear_inadmissible(BodyBlock<Dim>& b) {
   for (std::uint8_t& r : b.role) r &= static_cast<std::uint8_t>(~has_bad_contents);
 }
@@ -200,7 +193,6 @@ void average_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, in
 #define RECOIL_INSTANTIATE(Dim)                                                                        \
   template bool inadmissible<Dim>(const Material&, const Contents<Dim>&, double);                      \
   template std::int64_t mark_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, double); \
-  template bool has_inadmissible<Dim>(const BodyBlock<Dim>&);                                          \
   template void clear_inadmissible<Dim>(BodyBlock<Dim>&);                                              \
   template void average_inadmissible<Dim>(const State<Dim>&, Body<Dim>&, int, int, Scratch&);
 RECOIL_INSTANTIATE(1)

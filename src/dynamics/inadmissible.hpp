@@ -23,8 +23,6 @@ template <int Dim>
 std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters,
                                double most_damage = 1);
 template <int Dim>
-bool has_inadmissible(const BodyBlock<Dim>& block);
-template <int Dim>
 void clear_inadmissible(BodyBlock<Dim>& block);
 
 /// Averages every inadmissible state (Role::has_bad_contents) with the fragments up to `width` cells around,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -11,37 +12,11 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "parallel/wait.hpp"
 
 namespace recoil::parallel {
 
 namespace {
-
-/// How often a thread looks before it sleeps, which takes some tens of microseconds. A step has about a
-/// hundred waits, and a thread that sleeps must be woken by the system. None where there are more threads
-/// than processors: what they wait for could not run.
-int looks_before_sleep(int threads) {
-  constexpr int looks = 1000;
-  return static_cast<unsigned>(threads) <= std::thread::hardware_concurrency() ? looks : 0;
-}
-
-void rest_processor() {
-#if defined(__x86_64__)
-  __builtin_ia32_pause();
-#endif
-}
-
-/// Waits until `value` is no longer `old`.
-template <class T>
-void wait_for_change(const std::atomic<T>& value, T old, int looks) {
-  for (int k = 0; k < looks; ++k) {
-    if (value.load(std::memory_order_acquire) != old) return;
-    if (k % 32 == 31)
-      std::this_thread::yield();  // to the one waited for, should it be on the same processor
-    else
-      rest_processor();
-  }
-  value.wait(old);
-}
 
 /// How many of the items of one thread are left: it takes them from the front, others from the back.
 class alignas(64) Share {
@@ -70,7 +45,7 @@ class alignas(64) Share {
 }  // namespace
 
 struct Team::Pool {
-  int looks = 0;  // before a thread sleeps
+  std::chrono::microseconds look{0};  // before a thread sleeps
   std::vector<std::unique_ptr<Scratch>> scratch;
   std::vector<std::jthread> workers;
   const std::function<void(int, int)>* task = nullptr;
@@ -107,7 +82,7 @@ struct Team::Pool {
   void serve(int worker) {
     unsigned seen = 0;
     while (true) {
-      wait_for_change(round, seen, looks);
+      wait_for_change(round, seen, look);
       seen = round.load();
       if (stop) return;
       work(worker);
@@ -118,7 +93,7 @@ struct Team::Pool {
 
 Team::Team(int threads) : pool_(std::make_unique<Pool>()) {
   require(threads >= 1, "a team has at least one thread");
-  pool_->looks = looks_before_sleep(threads);
+  pool_->look = time_before_sleep(threads);
   pool_->shares = std::vector<Share>(static_cast<std::size_t>(threads));
   for (int i = 0; i < threads; ++i) pool_->scratch.push_back(std::make_unique<Scratch>());
   for (int i = 1; i < threads; ++i) pool_->workers.emplace_back([this, i] { pool_->serve(i); });
@@ -135,10 +110,18 @@ int Team::threads() const { return static_cast<int>(pool_->scratch.size()); }
 Scratch& Team::scratch(int worker) { return *pool_->scratch[worker]; }
 
 void Team::run(int items, const std::function<void(int, int)>& task) {
+  // Waking the others costs more than a few blocks of work.
+  share(items, task, threads() > 1 && items >= 4);
+}
+
+void Team::run_each(const std::function<void(int)>& task) {
+  share(
+      threads(), [&](int /*item*/, int worker) { task(worker); }, threads() > 1);
+}
+
+void Team::share(int items, const std::function<void(int, int)>& task, bool together) {
   Pool& p = *pool_;
   p.task = &task;
-  // Waking the others costs more than a few blocks of work.
-  const bool together = threads() > 1 && items >= 4;
   p.stride = together ? threads() : 1;
   for (int thread = 0; thread < threads(); ++thread)
     p.shares[static_cast<std::size_t>(thread)].fill(
@@ -150,7 +133,7 @@ void Team::run(int items, const std::function<void(int, int)>& task) {
   }
   p.work(0);
   if (together)
-    for (int left = p.busy.load(); left > 0; left = p.busy.load()) wait_for_change(p.busy, left, p.looks);
+    for (int left = p.busy.load(); left > 0; left = p.busy.load()) wait_for_change(p.busy, left, p.look);
   if (p.failure) {
     const auto failure = std::exchange(p.failure, nullptr);
     p.failed_item = std::numeric_limits<int>::max();

@@ -24,9 +24,13 @@ class Team {
   /// items in every call with as many, as long as none is late: what it worked on is still near its
   /// processor. An exception of the lowest item that failed is thrown again here.
   void run(int items, const std::function<void(int, int)>& task);
+  /// Calls task(worker) once for each thread; one that is late may find that another has done its call as
+  /// well.
+  void run_each(const std::function<void(int)>& task);
 
  private:
   struct Pool;
+  void share(int items, const std::function<void(int, int)>& task, bool together);
   std::unique_ptr<Pool> pool_;
 };
 

@@ -29,13 +29,14 @@ constexpr double follow_rate = 0.02;  // part of the mismatch that phi takes up 
 
 template <int Dim>
 void drive_rigid_bodies(StepRun<Dim>& step, double dt) {
+  step.run_queued();
   follow_velocity_histories(step.state(), dt);
 }
 
 template <int Dim>
 void mark_beside_contact(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"mark beside contact", contact, {}, role};
-  step.for_each_body(StepPhase::fits, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.queue_each_body(StepPhase::fits, access, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
     mark_beside_contact(step.state(), body, slot, scratch);
   });
 }
@@ -46,7 +47,7 @@ void find_walls(StepRun<Dim>& step, double dt, const Stage& stage) {
                                       geometry | donors | contents | volume, walls};
   State<Dim>& state = step.state();
   const double booked = stage.faces == FaceTime::now ? stage.weight : 0;
-  step.for_each_slot(StepPhase::walls, access, [&](int slot, Scratch& scratch) {
+  step.queue_each_slot(StepPhase::walls, access, [&step, &state, dt, booked](int slot, Scratch& scratch) {
     for (Body<Dim>& body : state.bodies)
       if (!body.rigid && body.present(slot)) evaluate_fits(state, body, slot, step.counters(slot), scratch);
     find_walls(state, slot, dt, booked, scratch);
@@ -58,11 +59,12 @@ void move_walls(StepRun<Dim>& step, double dt, const Stage& stage) {
   static constexpr FieldAccess access{"move walls", phi | contact, geometry, walls};
   if (stage.faces == FaceTime::now) return;
   State<Dim>& state = step.state();
-  step.for_each_slot(StepPhase::walls, access, [&](int slot, Scratch& scratch) {
-    for (Body<Dim>& body : state.bodies)
-      if (!body.rigid && body.present(slot)) move_fits(state, body, slot, 0.5 * dt);
-    find_walls(state, slot, dt, stage.weight, scratch);
-  });
+  step.queue_each_slot(StepPhase::walls, access,
+                       [&state, dt, weight = stage.weight](int slot, Scratch& scratch) {
+                         for (Body<Dim>& body : state.bodies)
+                           if (!body.rigid && body.present(slot)) move_fits(state, body, slot, 0.5 * dt);
+                         find_walls(state, slot, dt, weight, scratch);
+                       });
 }
 
 template <int Dim>
@@ -72,28 +74,29 @@ void update_matter(StepRun<Dim>& step, double dt, const Stage& stage) {
       coarser{"update coarser matter", stencil | role | rims, geometry | walls, contents | volume | rims};
   State<Dim>& state = step.state();
   step.fill_stand_ins(stencil);
+  const auto update = [&state, dt, stage](int slot, Scratch& scratch) {
+    for (int m = 0; m < state.count(); ++m) {
+      Body<Dim>& body = state.bodies[m];
+      if (body.rigid || !body.present(slot)) continue;
+      const Scratch::Frame frame(scratch);
+      auto& ledger = state.ledger[slot];
+      update_block(state, body, slot, stage.faces, dt, stage.weight, ledger.edges[m], ledger.counters,
+                   scratch);
+    }
+  };
+  if (state.mesh.levels() == 1) return step.queue_each_slot(StepPhase::flux, access, update);
   // A block takes its fluxes beside finer ones from those.
   for (int level = 0; level < state.mesh.levels(); ++level)
-    step.for_each_slot_of(level, StepPhase::flux, level == 0 ? access : coarser,
-                          [&](int slot, Scratch& scratch) {
-                            for (int m = 0; m < state.count(); ++m) {
-                              Body<Dim>& body = state.bodies[m];
-                              if (body.rigid || !body.present(slot)) continue;
-                              const Scratch::Frame frame(scratch);
-                              auto& ledger = state.ledger[slot];
-                              update_block(state, body, slot, stage.faces, dt, stage.weight, ledger.edges[m],
-                                           ledger.counters, scratch);
-                            }
-                          });
+    step.for_each_slot_of(level, StepPhase::flux, level == 0 ? access : coarser, update);
 }
 
 template <int Dim>
 void redistribute_small_fragments(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"redistribute", contents | volume | geometry | phi | role, {}, updates};
-  step.for_each_body(StepPhase::redistribution, {access, 8},
-                     [&](Body<Dim>& body, int slot, Scratch& scratch) {
-                       redistribute(step.state(), body, slot, step.counters(slot), scratch);
-                     });
+  step.queue_each_body(StepPhase::redistribution, {access, 8},
+                       [&step](Body<Dim>& body, int slot, Scratch& scratch) {
+                         redistribute(step.state(), body, slot, step.counters(slot), scratch);
+                       });
   apply_updates(step, StepPhase::redistribution);
 }
 
@@ -103,8 +106,9 @@ void cut_out_rigid_bodies(StepRun<Dim>& step) {
   const auto& bodies = step.state().bodies;
   if (std::none_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.rigid.has_value(); }))
     return;
-  step.for_each_body(StepPhase::level_set, access,
-                     [&](Body<Dim>& body, int slot, Scratch&) { cut_out_rigid(step.state(), body, slot); });
+  step.queue_each_body(StepPhase::level_set, access, [&step](Body<Dim>& body, int slot, Scratch&) {
+    cut_out_rigid(step.state(), body, slot);
+  });
 }
 
 template <int Dim>
@@ -112,7 +116,7 @@ void exchange_along_surfaces(StepRun<Dim>& step) {
   static constexpr FieldAccess access{
       "exchange along surfaces", contents | volume | end_geometry, {}, updates};
   if (Dim == 1) return;
-  step.for_each_body(StepPhase::moves, {access, 1}, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.queue_each_body(StepPhase::moves, {access, 1}, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
     exchange_along_surface(step.state(), body, slot, scratch);
   });
   apply_updates(step, StepPhase::moves);
@@ -121,7 +125,7 @@ void exchange_along_surfaces(StepRun<Dim>& step) {
 template <int Dim>
 void follow_volumes(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"measure mismatch", {}, volume, end_geometry};
-  step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch&) {
+  step.queue_each_body(StepPhase::level_set, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     measure_mismatch(step.state(), body, slot);
   });
   follow_mismatch(step, follow_rate);
@@ -131,7 +135,7 @@ void follow_volumes(StepRun<Dim>& step) {
 template <int Dim>
 void fit_voids(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"fit voids", {}, contents | end_geometry, volume};
-  step.for_each_body(StepPhase::moves, access, [&](Body<Dim>& body, int slot, Scratch&) {
+  step.queue_each_body(StepPhase::moves, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     if (can_fail(body.material.damage)) fit_voids(step.state(), body, slot);
   });
 }
@@ -140,13 +144,13 @@ template <int Dim>
 void empty_and_fill(StepRun<Dim>& step) {
   static constexpr FieldAccess empty{"empty outside", contents | volume | end_geometry | phi, {}, updates},
       fill{"fill inside", contents | volume | end_geometry | phi, {}, updates};
-  step.for_each_body(StepPhase::moves, {empty, 2}, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.queue_each_body(StepPhase::moves, {empty, 2}, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
     State<Dim>& state = step.state();
     empty_outside(state, body, slot, state.ledger[slot].edges[&body - state.bodies.data()], scratch);
   });
   apply_updates(step, StepPhase::moves);
   fit_voids(step);
-  step.for_each_body(StepPhase::moves, {fill, 3}, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.queue_each_body(StepPhase::moves, {fill, 3}, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
     State<Dim>& state = step.state();
     fill_inside(state, body, slot, state.ledger[slot].edges[&body - state.bodies.data()], scratch);
   });
@@ -156,7 +160,7 @@ void empty_and_fill(StepRun<Dim>& step) {
 template <int Dim>
 void bound_volumes(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"bound volumes", contents | volume | end_geometry, {}, updates};
-  step.for_each_body(StepPhase::moves, {access, 3}, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.queue_each_body(StepPhase::moves, {access, 3}, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
     bound_volumes(step.state(), body, slot, step.counters(slot), scratch);
   });
   apply_updates(step, StepPhase::moves);
@@ -221,7 +225,7 @@ void release_detonations(StepRun<Dim>& step, double dt) {
 template <int Dim>
 void clear_negative_strain(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"clear negative strain", {}, volume, contents};
-  step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
+  step.queue_each_body(StepPhase::plasticity, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     step.counters(slot).cleared_strains += clear_negative_strain(step.state(), body, slot);
     crush_pores(step.state(), body, slot, step.counters(slot));  // of what has been moved
   });

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -46,8 +46,9 @@ void place_rigid_bodies(StepRun<Dim>& step, double ahead, PhiAt where) {
   State<Dim>& state = step.state();
   if (std::ranges::none_of(state.bodies, [](const Body<Dim>& body) { return body.rigid.has_value(); }))
     return;
+  step.run_queued();
   const Timers<StepPhase>::Span span(step.engine().timers, StepPhase::level_set);
-  step.engine().team.run(state.mesh.local(), [&](int slot, int /*worker*/) {
+  step.for_each_own([&](int slot, Scratch&) {
     for (Body<Dim>& body : state.bodies) {
       if (!body.rigid || !body.present(slot)) continue;
       BodyBlock<Dim>& b = body.at(slot);
@@ -66,21 +67,12 @@ bool averages_damage(const Body<Dim>& body) {
   return !body.rigid && recoil::averages_damage(body.material);
 }
 
-template <int Dim>
-bool has_inadmissible_states(StepRun<Dim>& step) {
-  bool any = false;
-  for (const int slot : step.blocks())
-    for (const Body<Dim>& body : step.state().bodies)
-      any = any || (!body.rigid && body.present(slot) && has_inadmissible(body.at(slot)));
-  return step.engine().world.any(any);
-}
-
 }  // namespace
 
 template <int Dim>
 void swap_phi(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"swap phi", {}, {}, phi | phi_next};
-  step.for_each_body(StepPhase::level_set, access, [](Body<Dim>& body, int slot, Scratch&) {
+  step.queue_each_body(StepPhase::level_set, access, [](Body<Dim>& body, int slot, Scratch&) {
     body.at(slot).phi.swap(body.at(slot).phi_next);
   });
 }
@@ -88,7 +80,7 @@ void swap_phi(StepRun<Dim>& step) {
 template <int Dim>
 void average_states(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"average states", {}, contents | volume, role | average | stencil};
-  step.for_each_body(StepPhase::averages, access, [&](Body<Dim>& body, int slot, Scratch&) {
+  step.queue_each_body(StepPhase::averages, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     choose_roles(step.state(), body, slot, step.counters(slot));
     average_primitives(step.state(), body, slot, step.counters(slot));
   });
@@ -98,7 +90,7 @@ template <int Dim>
 void refresh_averages(StepRun<Dim>& step, double old_weight) {
   static constexpr FieldAccess access{
       "refresh averages", {}, contents | volume | volume_old | role, average | stencil};
-  step.for_each_body(StepPhase::averages, access, [&](Body<Dim>& body, int slot, Scratch&) {
+  step.queue_each_body(StepPhase::averages, access, [&step, old_weight](Body<Dim>& body, int slot, Scratch&) {
     average_primitives(step.state(), body, slot, step.counters(slot), old_weight > 0);
   });
 }
@@ -128,7 +120,7 @@ double choose_length(StepRun<Dim>& step, const Stepping& stepping, double until)
 template <int Dim>
 void keep_old(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"keep old", {}, contents | volume, contents_old | volume_old};
-  step.for_each_body(StepPhase::plasticity, access, [](Body<Dim>& body, int slot, Scratch&) {
+  step.queue_each_body(StepPhase::plasticity, access, [](Body<Dim>& body, int slot, Scratch&) {
     BodyBlock<Dim>& b = body.at(slot);
     b.contents_old = b.contents;
     b.volume_old = b.volume;
@@ -139,11 +131,12 @@ template <int Dim>
 void advect_surfaces_half(StepRun<Dim>& step, double dt) {
   static constexpr FieldAccess access{"advect surfaces half", phi, extension_velocity,
                                       phi_midstep | phi_next};
-  step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    BodyBlock<Dim>& b = body.at(slot);
-    if (b.phi_midstep.empty()) b.phi_midstep.swap(b.phi_next);  // which is over: they share their memory
-    advect_level_set(step.state(), body, slot, 0.5 * dt, &BodyBlock<Dim>::phi_midstep, scratch);
-  });
+  step.queue_each_body(
+      StepPhase::level_set, access, [&step, dt](Body<Dim>& body, int slot, Scratch& scratch) {
+        BodyBlock<Dim>& b = body.at(slot);
+        if (b.phi_midstep.empty()) b.phi_midstep.swap(b.phi_next);  // which is over: they share their memory
+        advect_level_set(step.state(), body, slot, 0.5 * dt, &BodyBlock<Dim>::phi_midstep, scratch);
+      });
   place_rigid_bodies(step, 0.5 * dt, PhiAt::midstep);
 }
 
@@ -151,9 +144,10 @@ template <int Dim>
 void cut_cells(StepRun<Dim>& step, Surfaces surfaces, PhiAt when, double ahead) {
   static constexpr FieldAccess middle{"cut cells", phi_midstep | contact, volume, geometry},
       end{"cut cells at the end", phi | contact, volume, end_geometry};
-  step.for_each_slot(
-      StepPhase::geometry, when == PhiAt::midstep ? middle : end,
-      [&](int slot, Scratch& scratch) { find_geometry(step.state(), slot, surfaces, when, scratch, ahead); });
+  step.queue_each_slot(StepPhase::geometry, when == PhiAt::midstep ? middle : end,
+                       [&step, surfaces, when, ahead](int slot, Scratch& scratch) {
+                         find_geometry(step.state(), slot, surfaces, when, scratch, ahead);
+                       });
 }
 
 template <int Dim>
@@ -161,10 +155,10 @@ void choose_donors_and_ghosts(StepRun<Dim>& step, Cells cells) {
   static constexpr FieldAccess fits{"choose donors", role | geometry | phi | volume | contact, contents,
                                     donors | walls},
       beyond{"choose ghosts", role | geometry | walls | phi, {}, ghosts};
-  step.for_each_body(StepPhase::fits, fits, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.queue_each_body(StepPhase::fits, fits, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
     choose_donors(step.state(), body, slot, step.counters(slot), scratch);
   });
-  step.for_each_body(StepPhase::fits, beyond, [&](Body<Dim>& body, int slot, Scratch& scratch) {
+  step.queue_each_body(StepPhase::fits, beyond, [&step, cells](Body<Dim>& body, int slot, Scratch& scratch) {
     choose_ghosts(step.state(), body, slot, cells, scratch);
   });
 }
@@ -172,7 +166,7 @@ void choose_donors_and_ghosts(StepRun<Dim>& step, Cells cells) {
 template <int Dim>
 void fill_values(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"fill values", walls, ghosts | geometry, average | stencil | role};
-  step.for_each_body(StepPhase::values, access, [&](Body<Dim>& body, int slot, Scratch&) {
+  step.queue_each_body(StepPhase::values, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     fill_stencil_values(step.state(), body, slot, step.counters(slot));
   });
 }
@@ -180,7 +174,8 @@ void fill_values(StepRun<Dim>& step) {
 template <int Dim>
 void apply_updates(StepRun<Dim>& step, StepPhase part) {
   static constexpr FieldAccess access{"apply updates", {}, {}, contents | volume | updates};
-  step.for_each_body(part, access, [](Body<Dim>& body, int slot, Scratch&) { apply_updates(body.at(slot)); });
+  step.queue_each_body(part, access,
+                       [](Body<Dim>& body, int slot, Scratch&) { apply_updates(body.at(slot)); });
 }
 
 template <int Dim>
@@ -191,21 +186,24 @@ void average_inadmissible_states(StepRun<Dim>& step, double most_damage) {
   constexpr auto part = StepPhase::redistribution;
   make_room(step.engine().averaged, step.state());
   for (int width = 1; width <= 3; ++width) {
+    std::atomic<bool> any{false};
     step.for_each_body(part, mark, [&](Body<Dim>& body, int slot, Scratch&) {
       const std::int64_t marked =
           mark_inadmissible(step.state(), body, slot, step.counters(slot), most_damage);
       if (marked == 0) return;
+      any.store(true, std::memory_order_relaxed);
       step.counters(slot).averaged_states += marked;
       note_averaged(step.engine().averaged, step.state(), body, slot, marked);
     });
-    if (!has_inadmissible_states(step)) return;
-    step.for_each_body(part, {mean, 3 * width}, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-      average_inadmissible(step.state(), body, slot, width, scratch);
-    });
+    if (!step.engine().world.any(any.load())) return;
+    step.queue_each_body(part, {mean, 3 * width},
+                         [&step, width](Body<Dim>& body, int slot, Scratch& scratch) {
+                           average_inadmissible(step.state(), body, slot, width, scratch);
+                         });
     apply_updates(step, part);
   }
-  step.for_each_body(part, clear,
-                     [](Body<Dim>& body, int slot, Scratch&) { clear_inadmissible(body.at(slot)); });
+  step.queue_each_body(part, clear,
+                       [](Body<Dim>& body, int slot, Scratch&) { clear_inadmissible(body.at(slot)); });
 }
 
 template <int Dim>
@@ -216,23 +214,25 @@ void return_to_yield(StepRun<Dim>& step, double dt, double old_weight, double mo
   const auto grows_by_mean = [](const Body<Dim>& body) {
     return averages_damage(body) && !fails_at_once(body.material.damage);
   };
-  const auto combine = [&](Body<Dim>& body, int slot) {
+  const auto combine = [&step, old_weight](Body<Dim>& body, int slot) {
     if (old_weight > 0) combine_with_old(step.state(), body, slot, old_weight);
     // Of what has been combined: a mean of states on the crush curve is beyond it.
     crush_pores(step.state(), body, slot, step.counters(slot));
   };
-  step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
-    return_to_yield(step.state(), body, slot, dt, step.state().ledger[slot], most_damage);
-    if (!grows_by_mean(body)) combine(body, slot);
-  });
+  step.queue_each_body(StepPhase::plasticity, access,
+                       [&step, dt, most_damage, grows_by_mean, combine](Body<Dim>& body, int slot, Scratch&) {
+                         return_to_yield(step.state(), body, slot, dt, step.state().ledger[slot],
+                                         most_damage);
+                         if (!grows_by_mean(body)) combine(body, slot);
+                       });
   if (std::ranges::none_of(step.state().bodies, grows_by_mean)) return;
-  step.for_each_body(StepPhase::plasticity, {grow, averaged_cells(step.state())},
-                     [&](Body<Dim>& body, int slot, Scratch& scratch) {
-                       if (!grows_by_mean(body)) return;
-                       grow_by_mean(step.state(), body, slot, dt, most_damage, step.state().ledger[slot],
-                                    scratch);
-                       combine(body, slot);
-                     });
+  step.queue_each_body(
+      StepPhase::plasticity, {grow, averaged_cells(step.state())},
+      [&step, dt, most_damage, grows_by_mean, combine](Body<Dim>& body, int slot, Scratch& scratch) {
+        if (!grows_by_mean(body)) return;
+        grow_by_mean(step.state(), body, slot, dt, most_damage, step.state().ledger[slot], scratch);
+        combine(body, slot);
+      });
 }
 
 template <int Dim>
@@ -242,19 +242,20 @@ void fail_at_once(StepRun<Dim>& step) {
   const auto fails_by_mean = [](const Body<Dim>& body) {
     return averages_damage(body) && fails_at_once(body.material.damage);
   };
-  step.for_each_body(StepPhase::plasticity, access, [&](Body<Dim>& body, int slot, Scratch&) {
-    if (can_fail(body.material.damage)) bound_damage(step.state(), body, slot);
-    if (fails_by_mean(body))
-      note_damage_drive(step.state(), body, slot);
-    else
-      fail_at_once(step.state(), body, slot, step.state().ledger[slot]);
-  });
+  step.queue_each_body(StepPhase::plasticity, access,
+                       [&step, fails_by_mean](Body<Dim>& body, int slot, Scratch&) {
+                         if (can_fail(body.material.damage)) bound_damage(step.state(), body, slot);
+                         if (fails_by_mean(body))
+                           note_damage_drive(step.state(), body, slot);
+                         else
+                           fail_at_once(step.state(), body, slot, step.state().ledger[slot]);
+                       });
   if (std::ranges::none_of(step.state().bodies, fails_by_mean)) return;
-  step.for_each_body(StepPhase::plasticity, {by_mean, averaged_cells(step.state())},
-                     [&](Body<Dim>& body, int slot, Scratch& scratch) {
-                       if (fails_by_mean(body))
-                         fail_at_once_by_mean(step.state(), body, slot, step.state().ledger[slot], scratch);
-                     });
+  step.queue_each_body(StepPhase::plasticity, {by_mean, averaged_cells(step.state())},
+                       [&step, fails_by_mean](Body<Dim>& body, int slot, Scratch& scratch) {
+                         if (fails_by_mean(body))
+                           fail_at_once_by_mean(step.state(), body, slot, step.state().ledger[slot], scratch);
+                       });
 }
 
 template <int Dim>
@@ -264,21 +265,25 @@ void advect_surfaces(StepRun<Dim>& step, double dt) {
       first{"advect surfaces", phi, extension_velocity, phi_midstep | phi_next},
       again{"advect surfaces again", phi_next, extension_velocity, phi};
   const State<Dim>& state = step.state();
-  step.for_each_body(StepPhase::level_set, spread, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    spread_wall_velocity(state, body, slot, dt, step.counters(slot), scratch);
-  });
-  step.for_each_body(StepPhase::level_set, first, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    body.at(slot).phi_next.swap(body.at(slot).phi_midstep);
-    advect_level_set(state, body, slot, dt, &BodyBlock<Dim>::phi_next, scratch);
-  });
-  step.for_each_body(StepPhase::level_set, again, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    advect_level_set_again(state, body, slot, dt, scratch);
-  });
+  step.queue_each_body(StepPhase::level_set, spread,
+                       [&step, &state, dt](Body<Dim>& body, int slot, Scratch& scratch) {
+                         spread_wall_velocity(state, body, slot, dt, step.counters(slot), scratch);
+                       });
+  step.queue_each_body(StepPhase::level_set, first,
+                       [&state, dt](Body<Dim>& body, int slot, Scratch& scratch) {
+                         body.at(slot).phi_next.swap(body.at(slot).phi_midstep);
+                         advect_level_set(state, body, slot, dt, &BodyBlock<Dim>::phi_next, scratch);
+                       });
+  step.queue_each_body(StepPhase::level_set, again,
+                       [&state, dt](Body<Dim>& body, int slot, Scratch& scratch) {
+                         advect_level_set_again(state, body, slot, dt, scratch);
+                       });
   place_rigid_bodies(step, 0, PhiAt::now);
 }
 
 template <int Dim>
 void move_rigid_bodies(StepRun<Dim>& step, double dt) {
+  step.run_queued();
   const Timers<StepPhase>::Span span(step.engine().timers, StepPhase::walls);
   move_rigid_bodies(step.state(), step.engine().world, dt);
 }
@@ -286,8 +291,8 @@ void move_rigid_bodies(StepRun<Dim>& step, double dt) {
 template <int Dim>
 void remember_contact(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"remember contact", {}, geometry | walls, contact};
-  step.for_each_body(StepPhase::walls, access,
-                     [](Body<Dim>& body, int slot, Scratch&) { remember_contact(body.at(slot)); });
+  step.queue_each_body(StepPhase::walls, access,
+                       [](Body<Dim>& body, int slot, Scratch&) { remember_contact(body.at(slot)); });
 }
 
 template <int Dim>
@@ -308,23 +313,26 @@ void redistance(StepRun<Dim>& step, double dt) {
 template <int Dim>
 void redistance_band(StepRun<Dim>& step, int sweeps, double frozen) {
   static constexpr FieldAccess access{"redistance", phi, {}, phi_next | phi_midstep};
-  step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    BodyBlock<Dim>& b = body.at(slot);
-    if (b.phi_next.empty()) b.phi_next.swap(b.phi_midstep);  // of a block that the body has just entered
-    if (b.near_surface)
-      redistance(step.state(), body, slot, sweeps, frozen, scratch);
-    else
-      b.phi_next = b.phi;
-  });
+  step.queue_each_body(StepPhase::level_set, access,
+                       [&step, sweeps, frozen](Body<Dim>& body, int slot, Scratch& scratch) {
+                         BodyBlock<Dim>& b = body.at(slot);
+                         if (b.phi_next.empty())
+                           b.phi_next.swap(b.phi_midstep);  // of a block that the body has just entered
+                         if (b.near_surface)
+                           redistance(step.state(), body, slot, sweeps, frozen, scratch);
+                         else
+                           b.phi_next = b.phi;
+                       });
   swap_phi(step);
 }
 
 template <int Dim>
 void follow_mismatch(StepRun<Dim>& step, double rate) {
   static constexpr FieldAccess access{"follow mismatch", phi | end_geometry, {}, phi_next};
-  step.for_each_body(StepPhase::level_set, access, [&](Body<Dim>& body, int slot, Scratch& scratch) {
-    follow_volume(step.state(), body, slot, rate, scratch);
-  });
+  step.queue_each_body(StepPhase::level_set, access,
+                       [&step, rate](Body<Dim>& body, int slot, Scratch& scratch) {
+                         follow_volume(step.state(), body, slot, rate, scratch);
+                       });
   swap_phi(step);
 }
 
@@ -333,17 +341,16 @@ void update_bands(StepRun<Dim>& step) {
   State<Dim>& state = step.state();
   step.update_copies(phi);
   step.fill_stand_ins(phi);
+  step.run_queued();
   {
     const Timers<StepPhase>::Span span(step.engine().timers, StepPhase::band);
-    std::vector<int> all(static_cast<std::size_t>(state.mesh.local()));
-    std::iota(all.begin(), all.end(), 0);
     const auto bodies = static_cast<std::size_t>(state.count());
-    std::vector<BandChoice<Dim>> choice(all.size() * bodies);
-    parallel::for_each_block(step.engine().team, all, [&](int slot, Scratch& scratch) {
+    std::vector<BandChoice<Dim>> choice(static_cast<std::size_t>(state.mesh.local()) * bodies);
+    step.for_each_own([&](int slot, Scratch& scratch) {
       for (std::size_t m = 0; m < bodies; ++m)
         choice[slot * bodies + m] = choose_band(state, state.bodies[m], slot, scratch);
     });
-    for (const int slot : all)
+    for (int slot = 0; slot < state.mesh.local(); ++slot)
       for (std::size_t m = 0; m < bodies; ++m) {
         Body<Dim>& body = state.bodies[m];
         const bool entered = !body.present(slot);

@@ -67,8 +67,9 @@ void prepare_start(State<Dim>& state, Engine& engine) {
 }
 
 const char* name_of(StepPhase part) {
-  constexpr std::array names{"averages",       "geometry",   "fits",      "walls", "values",   "flux",
-                             "redistribution", "plasticity", "level set", "moves", "exchange", "band"};
+  constexpr std::array names{"averages", "geometry",       "fits",       "walls",     "values",
+                             "flux",     "redistribution", "plasticity", "level set", "moves",
+                             "exchange", "band",           "waiting"};
   return names[static_cast<std::size_t>(part)];
 }
 

@@ -12,7 +12,7 @@
 
 namespace recoil {
 
-/// Parts of a step, as `make bench` and the run log show them.
+/// Parts of a step, as `make bench` and the run log show them; times of threads in their mean.
 enum class StepPhase {
   averages,
   geometry,
@@ -26,6 +26,7 @@ enum class StepPhase {
   moves,
   exchange,
   band,
+  waiting,  // of threads for each other, in their mean; only of phases that may be put off
   count
 };
 const char* name_of(StepPhase part);
@@ -56,6 +57,9 @@ struct Engine {
   parallel::Team& team;
   Timers<StepPhase> timers;
   AveragedStates averaged{};  // so far, by body
+  // A step is shared by threads if each gets as much work, in cells without a surface. With less, two take as
+  // long as one (340 to 1700 cells in 1-D), and several times as long where other programs run.
+  std::size_t least_work = 1000;
 };
 
 /// Advances all bodies by one step of the conservative moving-boundary method (docs/theory.md), at most to

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "../core/dimensions.hpp"
@@ -96,6 +97,10 @@ TYPED_TEST(Inadmissible, StatesAreMarkedAndCleared) {
   auto dense = this->one;
   dense[0] *= 3;
   const double full = this->whole();
+  const auto has_inadmissible = [](const auto& block) {
+    return std::any_of(block.role.begin(), block.role.end(),
+                       [](std::uint8_t r) { return (r & has_bad_contents) != 0; });
+  };
   EXPECT_EQ(mark_inadmissible(state, state.bodies[0], 0, counters), 0);
   EXPECT_FALSE(has_inadmissible(b));
   set_piece(b, 1, full, dense);

@@ -73,6 +73,7 @@ Summary run(const std::string& text, const std::filesystem::path& folder, int th
   const parallel::World world;
   parallel::Team team(threads);
   Engine engine{world, team, {}};
+  engine.least_work = 0;
   prepare_start(state, engine);
   Recorder<1> recorder(c, state, world, folder, &team);
   recorder.begin(state);

@@ -38,6 +38,7 @@ struct TestRun {
         team(threads),
         engine{world, team, {}},
         state(make_state<Dim>(c, materials, world)) {
+    engine.least_work = 0;  // threads share small cases as well
     prepare_start(state, engine);
     for (int m = 0; m < state.count(); ++m) start.push_back(totals(m));
   }

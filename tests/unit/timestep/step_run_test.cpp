@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <type_traits>
+#include <vector>
 
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"
@@ -32,6 +34,46 @@ TYPED_TEST(StepRuns, WhatAPhaseWritesIsStaleUntilAPhaseReadsItAround) {
   EXPECT_EQ(this->state.stale, Field::phi | Field::volume);
   step.for_each_body(StepPhase::moves, reads, [](Body<dim>&, int, Scratch&) {});
   EXPECT_EQ(this->state.stale, FieldSet(Field::volume));
+}
+
+/// Two phases that each read around their block what the one before wrote, put off: with threads they run
+/// when asked for, without at once, and give the same.
+TYPED_TEST(StepRuns, PhasesThatAreQueuedGiveWhatPhasesAtOnceGive) {
+  constexpr int dim = TestFixture::dim;
+  const Grid<dim> grid = make_test_grid<dim>(64, 8, Edge::outflow);
+  const auto found = [&](int threads, std::size_t least_work) {
+    State<dim> state = make_test_state<dim>(grid, {ball<dim>(middle_of(grid), 30 * grid.dx)});
+    parallel::Team team(threads);
+    Engine engine{this->world, team, {}};
+    engine.least_work = least_work;
+    StepRun<dim> step(state, engine);
+    // Takes the first value of all blocks around.
+    const auto take = [&step](FieldArray<double> BodyBlock<dim>::*from,
+                              FieldArray<double> BodyBlock<dim>::*to) {
+      return [&step, from, to](Body<TestFixture::dim>& body, int slot, Scratch&) {
+        double sum = slot;
+        for (const int s : step.state().mesh.block(slot).neighbour)
+          if (s >= 0 && body.present(s)) sum = 0.5 * sum + (body.at(s).*from)[0];
+        (body.at(slot).*to)[0] = sum;
+      };
+    };
+    static constexpr FieldAccess there{"there", Field::volume, {}, Field::volume_old},
+        back{"back", Field::volume_old, {}, Field::volume};
+    for (int k = 0; k < 5; ++k) {
+      step.queue_each_body(StepPhase::moves, there,
+                           take(&BodyBlock<dim>::volume, &BodyBlock<dim>::volume_old));
+      step.queue_each_body(StepPhase::moves, back,
+                           take(&BodyBlock<dim>::volume_old, &BodyBlock<dim>::volume));
+    }
+    step.run_queued();
+    std::vector<double> values;
+    for (const int slot : step.blocks())
+      if (state.bodies[0].present(slot)) values.push_back(state.bodies[0].at(slot).volume[0]);
+    return values;
+  };
+  const std::vector<double> one = found(1, 0);
+  EXPECT_EQ(found(3, 0), one);
+  EXPECT_EQ(found(3, 1000000), one) << "too little work to share";
 }
 
 TYPED_TEST(StepRuns, DebugBuildsStopAPhaseThatTouchesWhatItHasNotDeclared) {
