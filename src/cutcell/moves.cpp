@@ -233,7 +233,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
     t.everything = true;
     if (t.any && !leaves && may_stay) {
       const auto from = p.window.source_inside(i);
-      if (is_alone(state, body, from.slot, from.cell, free_distance)) keep_without_room(p, t);
+      if (is_alone(state, body, from.slot, from.cell, free_distance)) keep_without_room(p, i, t);
     }
     return t;
   });
