@@ -132,17 +132,18 @@ int lost_around(const MovesView<Dim>& p, const Index<Dim>& i) {
 }
 
 /// Of matter that has no room where it is sent, what is too much stays: fragments whose level set has fallen
-/// behind their matter get it back (restore_level_set()), instead of being pressed into one cell. All that may
-/// send to a cell share its room. Where the geometry has lost that cell too, only a fuller one takes: else
-/// the two would change places in each step.
+/// behind their matter get it back (restore_level_set()), instead of being pressed into one cell.
+/// @param failed whether it is a fragment of failed matter. Then all that may send to a cell share its room,
+/// and where the geometry has lost that cell too, only a fuller one takes: else two would change places in
+/// each step.
 template <int Dim>
-void keep_without_room(const MovesView<Dim>& p, const Index<Dim>& from, Transfer<Dim>& t) {
+void keep_without_room(const MovesView<Dim>& p, const Index<Dim>& from, bool failed, Transfer<Dim>& t) {
   const int to = p.window.at(t.to);
-  if (p.kind[to] == CellKind::empty && !(p.volume[to] > p.volume[p.window.at(from)])) {
+  if (failed && p.kind[to] == CellKind::empty && !(p.volume[to] > p.volume[p.window.at(from)])) {
     t = {};
     return;
   }
-  const double room = (p.full(t.to) - p.volume[to]) / std::max(lost_around(p, t.to), 1);
+  const double room = (p.full(t.to) - p.volume[to]) / (failed ? std::max(lost_around(p, t.to), 1) : 1);
   if (!(t.volume > room)) return;
   t.everything = false;
   t.any = room > 0;
