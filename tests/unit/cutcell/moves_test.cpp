@@ -191,26 +191,6 @@ TYPED_TEST(Moves, WhatLiesOutsideGoesInwards) {
   this->expect_uniform(state);
 }
 
-/// Two cells of a failed fragment that the geometry has lost: the fuller one takes from the other what it has
-/// room for, and keeps what it has. They do not change places.
-TYPED_TEST(Moves, FragmentsThatTheGeometryHasLostGatherInTheFullerCell) {
-  constexpr int dim = TestFixture::dim;
-  using C = Components<dim>;
-  auto state = this->slab(2.2);
-  state.bodies[0].material.damage = TensileDamage{1e9, 1, 1e-8};
-  auto failed = this->one;
-  failed[C::damage] = failed[C::rho];
-  const auto fuller = TestFixture::cell(7, 9), other = TestFixture::cell(8, 9);
-  this->put(state, fuller, 0.8 * this->whole(), failed);
-  this->put(state, other, 0.5 * this->whole(), failed);
-  this->run(state,
-            [&](int s, Scratch& scratch) { empty_outside(state, state.bodies[0], s, this->edges, scratch); });
-  const double takes = this->volume(state, fuller) / this->whole();
-  EXPECT_GT(takes, 0.8);
-  EXPECT_LE(takes, 1 + 1e-12);
-  EXPECT_NEAR(this->volume(state, other) / this->whole(), 1.3 - takes, 1e-12);
-}
-
 TYPED_TEST(Moves, TheRestOfABodyBeyondAnOpenEdgeIsBookedAsOutflow) {
   constexpr int dim = TestFixture::dim;
   using C = Components<dim>;
