@@ -1,3 +1,5 @@
+#include <cstddef>
+
 #include "../core/dimensions.hpp"
 #include "bodies.hpp"
 #include "cutcell/moves.hpp"
