@@ -10,6 +10,7 @@
 #include "cutcell/moves_view.hpp"
 #include "cutcell/transfer.hpp"
 #include "state/alone.hpp"
+#include "state/places.hpp"
 
 namespace recoil {
 
@@ -233,7 +234,8 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
     t.everything = true;
     if (t.any && !leaves && may_stay) {
       const auto from = p.window.source_inside(i);
-      if (is_alone(state, body, from.slot, from.cell, free_distance)) keep_without_room(p, t);
+      if (is_alone(state, body, from.slot, from.cell, free_distance))
+        keep_without_room(p, i, has_failed(body.at(from.slot), static_cast<std::size_t>(from.cell)), t);
     }
     return t;
   });

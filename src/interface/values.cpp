@@ -25,7 +25,9 @@ constexpr int walls_around = 2;  // cells between a foot point and its wall, alo
 // Of the density at the surface: how far that of a ghost leaves it at most. What is cut is counted. Behind a
 // shock of 60 GPa in aluminium the way to zero stress is a quarter of the density.
 constexpr double deepest_rarefaction = 0.4, highest_compression = 0.3;
-constexpr double deepest_pull = 0.25;  // of the bulk modulus at the wall: a ghost of gas has no less pressure
+constexpr double deepest_pull = 0.25;  // of the bulk modulus: a ghost of gas has no less pressure, no other
+                                       // one more tension
+constexpr double rounding = 1e-9;      // of the density: cut by less, none is
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
 
@@ -177,15 +179,22 @@ struct NormalState {
   bool clamped = false;
 };
 
-/// Matter that is no gas follows its surface's linear response. @param stress of the ghost [Pa]
+/// Matter that is no gas follows its surface's linear response. Its stress goes on beyond the wall as far as
+/// the matter bears: a line through a strong shock would end in a tension of half the shock, at which nothing
+/// has a density. @param stress of the ghost [Pa]
 template <int Dim>
 NormalState linear_state(const Material& material, const Primitives<Dim>& v, const SurfaceState<Dim>& s,
                          double traction, double stress) {
   using C = Components<Dim>;
-  const double p = s.deviator - stress, rho = v[C::rho];
-  const double change = (p - v[C::p]) / sound_squared<Dim>(material, rho, v[C::p], v[C::crushed]),
+  const double rho = v[C::rho], c2 = sound_squared<Dim>(material, rho, v[C::p], v[C::crushed]);
+  // What the density may still fall by at the stress of the wall.
+  const double left = deepest_rarefaction - (v[C::p] - s.deviator + traction) / (rho * c2);
+  const double pull = rho * c2 * std::clamp(left, 0.0, deepest_pull);
+  const double p = s.deviator - std::min(stress, traction + pull);
+  const double change = (p - v[C::p]) / c2,
                kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
-  return {rho + kept, p, s.velocity - s.stress / s.impedance + traction / s.impedance, kept != change};
+  return {rho + kept, p, s.velocity - s.stress / s.impedance + traction / s.impedance,
+          std::abs(kept - change) > rounding * rho};
 }
 
 /// A gas follows the isentrope through the state of its surface: to the wall's pressure, and from there by
@@ -302,13 +311,18 @@ void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Cou
     store(b, n, cut.cell, centred(grid, body.material, cut, b.walls[m], lo + layout.index(cut.cell), w));
   }
   for (const GhostCell<Dim>& ghost : b.ghosts) {
+    std::uint8_t& role = b.role[ghost.cell];
     if (ghost.slot < 0) {
-      ++counters.ghosts_without_wall;
+      // A crack that the geometry does not show: what is beside it is itself the nearest matter.
+      if ((role & donates) != 0)
+        role |= valued;
+      else
+        ++counters.ghosts_without_wall;
       continue;
     }
     const Wall<Dim>& wall = body.at(ghost.slot).walls[ghost.wall];
     store(b, n, ghost.cell, ghost_value(grid, body.material, wall, ghost, counters));
-    b.role[ghost.cell] |= valued;
+    role |= valued;
   }
 }
 

@@ -1,5 +1,6 @@
 #include "interface/values.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -11,10 +12,12 @@
 namespace recoil {
 namespace {
 
-template <int Dim>
-void fill_values(Prepared<Dim>& p) {
+/// @param look(block) at the ghosts that have been chosen.
+template <int Dim, class Look>
+void fill_values(Prepared<Dim>& p, Look&& look) {
   p.for_each_body([&](Body<Dim>& body, int s, Scratch& scratch) {
     choose_ghosts(p.state, body, s, Cells::cut, scratch);
+    look(body.at(s));
   });
   p.evaluate();
   Scratch scratch;
@@ -24,6 +27,11 @@ void fill_values(Prepared<Dim>& p) {
   }
   p.for_each_body(
       [&](Body<Dim>& body, int s, Scratch&) { fill_stencil_values(p.state, body, s, p.counters); });
+}
+
+template <int Dim>
+void fill_values(Prepared<Dim>& p) {
+  fill_values(p, [](BodyBlock<Dim>&) {});
 }
 
 template <class D>
@@ -188,6 +196,62 @@ TYPED_TEST(Values, WhatIsCutOrMissingIsCounted) {
     EXPECT_GT(lone.ghosts_without_wall, 0);
     EXPECT_EQ(lone.cuts_without_donor, 0);
   }
+}
+
+/// A fragment that donates and has no wall near, in a crack that the geometry does not show, keeps its own
+/// average.
+TYPED_TEST(Values, AFragmentInACrackThatIsNotShownHasItsOwnValue) {
+  constexpr int dim = TestFixture::dim;
+  const auto w0 = some_primitives<dim>(this->material);
+  const auto q = per_volume<dim>(this->material, w0);
+  Prepared<dim> p(this->grid, {half_space(this->middle, this->normal)}, {w0});
+  for_each_piece(p.state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    if (b.geometry.kind[k] == CellKind::cut) set_piece(b, k, 0.4 * this->grid.dx_power(dim), q);
+  });
+  p.prepare();
+  int cracks = 0;
+  fill_values(p, [&](BodyBlock<dim>& b) {
+    for (GhostCell<dim>& ghost : b.ghosts) {
+      if ((b.role[ghost.cell] & donates) == 0) continue;
+      ghost.slot = -1;
+      ++cracks;
+    }
+  });
+  EXPECT_GT(cracks, 0);
+  EXPECT_EQ(p.counters.ghosts_without_wall, 0);
+  for (auto& b : p.state.bodies[0].blocks)
+    for (const GhostCell<dim>& ghost : b.ghosts) {
+      if (ghost.slot >= 0) continue;
+      EXPECT_NE(b.role[ghost.cell] & valued, 0);
+      EXPECT_NEAR(TestFixture::stencil_of(b, ghost.cell)[0], w0[0], 1e-6);
+    }
+}
+
+/// In front of a strong shock the stress of a ghost goes no further than matter bears, so that its density
+/// agrees with it and is not cut.
+TYPED_TEST(Values, GhostsInFrontOfAStrongShockBearALimitedTension) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  Prepared<dim> p(this->grid, {half_space(this->middle, this->normal)}, {moving<dim>(this->material, {})});
+  const double modulus = density(this->material) * std::pow(bulk_sound_speed(this->material), 2);
+  for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    const double depth = dot(this->middle - this->grid.centre(i), this->normal) / this->grid.dx;
+    const std::size_t n = b.volume.size();
+    if (depth < 1) return;
+    b.average[C::p * n + k] = 0.4 * modulus;
+    b.average[k] = 1.2 * density(this->material);
+  });
+  fill_values(p);
+  double lowest = 0;
+  for_each_piece(p.state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    if (!this->inside(i) || (b.role[k] & valued) == 0 || (b.role[k] & regular) != 0) return;
+    const auto w = TestFixture::stencil_of(b, k);
+    lowest = std::min(lowest, w[C::p]);
+    EXPECT_GE(w[C::p], -0.5 * modulus);
+    EXPECT_LT(w[C::p], 0.1 * modulus);
+  });
+  EXPECT_LT(lowest, 0);
+  EXPECT_EQ(p.counters.clamped_ghost_densities, 0);
 }
 
 /// The average of a cut cell belongs to its centroid; where a stress falls off towards a free surface, the
