@@ -25,9 +25,8 @@ constexpr int walls_around = 2;  // cells between a foot point and its wall, alo
 // Of the density at the surface: how far that of a ghost leaves it at most. What is cut is counted. Behind a
 // shock of 60 GPa in aluminium the way to zero stress is a quarter of the density.
 constexpr double deepest_rarefaction = 0.4, highest_compression = 0.3;
-constexpr double deepest_pull = 0.25;  // of the bulk modulus: a ghost of gas has no less pressure, no other
-                                       // one more tension
-constexpr double rounding = 1e-9;      // of the density: cut by less, none is
+constexpr double deepest_pull = 0.25;  // of the bulk modulus: the largest tension of a ghost
+constexpr double rounding = 1e-9;      // of the density: a smaller cut is rounding, and not counted
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
 

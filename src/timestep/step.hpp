@@ -26,7 +26,7 @@ enum class StepPhase {
   moves,
   exchange,
   band,
-  waiting,  // of threads for each other, in their mean; only of phases that may be put off
+  waiting,  // of threads for each other, in their mean; in phases that are put off (StepRun) only
   count
 };
 const char* name_of(StepPhase part);

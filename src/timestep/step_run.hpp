@@ -32,8 +32,8 @@ struct PhaseAccess {
 ///
 /// With several threads a phase may be put off (`queue_...`) and then runs in one chain with those that
 /// follow it, in which a block waits for the blocks beside it alone. What it refers to must live until
-/// run_queued(), which whoever reads a result, or changes what the phases read, calls first; every other
-/// member does.
+/// run_queued(). Code that reads a result of such a phase, or changes what it reads, calls run_queued()
+/// first; phases that are not put off and exchanges between processes do so themselves.
 template <int Dim>
 class StepRun {
  public:

@@ -141,6 +141,28 @@ TYPED_TEST(States, TheFastestSignalIsTheSumOverAxes) {
               1e-12);
 }
 
+/// Averages over such cells would grow until no sum over the body is exact: the run stops.
+TYPED_TEST(States, ADensityFarBelowZeroOrBeyondTheEquationOfStateIsAnError) {
+  constexpr int dim = TestFixture::dim;
+  const double rho0 = density(this->material);
+  for (const double rho : {-1.01 * rho0, 100 * rho0}) {
+    auto state = this->uniform(some_primitives<dim>(this->material));
+    auto& b = state.bodies[0].at(0);
+    b.contents[3] = rho * b.volume[3];
+    try {
+      choose_roles(state, state.bodies[0], 0, this->counters);
+      FAIL() << rho;
+    } catch (const PhysicsError& e) {
+      EXPECT_NE(std::string(e.what()).find("density beyond its equation of state"), std::string::npos)
+          << e.what();
+    }
+  }
+  auto state = this->uniform(some_primitives<dim>(this->material));
+  auto& b = state.bodies[0].at(0);
+  b.contents[3] = -0.99 * rho0 * b.volume[3];  // averaged with its neighbours, not refused
+  EXPECT_NO_THROW(choose_roles(state, state.bodies[0], 0, this->counters));
+}
+
 TYPED_TEST(States, AStateThatIsNotANumberIsAnErrorWithItsPlace) {
   constexpr int dim = TestFixture::dim;
   auto state = this->uniform(some_primitives<dim>(this->material));
