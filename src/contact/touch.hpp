@@ -24,9 +24,8 @@ double free_velocity(double velocity, double stress, double impedance);
 /// Free speeds v_a = u_a - sigma_a/Z_a, v_b = u_b + sigma_b/Z_b; w = v_b - v_a + gap_speed.
 ///   w >= 0: apart.   w < 0: sigma* = w Z_a Z_b/(Z_a + Z_b), u_a = v_a + sigma*/Z_a, u_b = v_b - sigma*/Z_b,
 ///   and the work velocity (Z_a u_a + Z_b u_b)/(Z_a + Z_b), which closes the energy of both to round-off.
-/// @param gap_speed gap over time step while a gap is still to close [m/s]; 0 in contact. It makes first
-/// touch
-///   happen on time, without a stand-off.
+/// @param gap_speed gap over time step while a gap is still to close [m/s], which makes first touch happen on
+///   time, without a stand-off; 0 in contact; below 0: surfaces that overlap part with so much.
 /// @param glued the bodies hold each other: sigma* may pull.
 Touch touch(const ContactSide& first, const ContactSide& second, double gap_speed, bool glued = false);
 

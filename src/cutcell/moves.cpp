@@ -28,8 +28,10 @@ constexpr double like_speed = 50;    // [m/s] moving otherwise by so much halves
 constexpr double least_surface = 0.02;       // area that a surface counts with in the exchange along it
 constexpr double closed_face = 1e-9;         // a common face open by less is closed; closed by less, open
 constexpr double least_mismatch_area = 0.3;  // a smaller surface counts as so large in V - V_phi over A_I
-constexpr double free_distance = 2.5;        // [cells] from other bodies, of a fragment on its own
-constexpr double most_mismatch = 0.5;        // [dx] by which phi is asked to follow V at most
+constexpr double little_room = 0.02;         // a difference in room of less is none
+constexpr double least_taker = 0.1;  // a cell with less of the body does not take what another body displaces
+constexpr double free_distance = 2.5;  // [cells] from other bodies, of a fragment on its own
+constexpr double most_mismatch = 0.5;  // [dx] by which phi is asked to follow V at most
 
 /// |A_I| of a cut cell, at least least_surface.
 template <int Dim>
@@ -37,7 +39,9 @@ double surface_area(const Grid<Dim>& grid, const CutCell<Dim>& c, const Index<Di
   return std::max(norm(c.surface), least_surface * grid.dx_power(Dim - 1) * grid.radius(i[0]));
 }
 
-/// Volume that flows from cell i to its upper neighbour along axis d in the tangential exchange.
+/// Volume that flows from cell i to its upper neighbour along axis d in the tangential exchange. Into a cell
+/// that another body has a part of goes no more than there is room for: beside a corner, whose linear cut
+/// shows less than there is, bodies would overlap.
 template <int Dim>
 double surface_flow(const MovesView<Dim>& p, const Index<Dim>& i, int d, Index<Dim>& source) {
   Index<Dim> j = i;
@@ -50,8 +54,12 @@ double surface_flow(const MovesView<Dim>& p, const Index<Dim>& i, int d, Index<D
   const double va = p.volume[p.window.at(i)], vb = p.volume[p.window.at(j)];
   source = va / p.full(i) > vb / p.full(j) ? i : j;
   if (!(p.volume[p.window.at(source)] > least_state_fill * p.full(source))) return 0;
-  return exchange_rate * ((va - a->volume) / area_a - (vb - b->volume) / area_b) * area_a * area_b /
-         (area_a + area_b);
+  const double flow = exchange_rate * ((va - a->volume) / area_a - (vb - b->volume) / area_b) * area_a *
+                      area_b / (area_a + area_b);
+  const Index<Dim>& to = flow > 0 ? j : i;
+  if (!p.is_shared(to)) return flow;
+  const double room = std::max(0.0, p.room(to));
+  return std::clamp(flow, -room, room);
 }
 
 /// Sends what cell i holds to the fullest cell around that has much more: one that shares a face, else a
@@ -86,20 +94,38 @@ void send_to_fullest(const MovesView<Dim>& p, const Index<Dim>& i, Transfer<Dim>
   }
 }
 
-/// Sends to the emptiest cut cell that shares a face with cell i.
+/// Sends to the cut cell with the most room that shares a face with cell i.
 template <int Dim>
-void send_to_emptiest(const MovesView<Dim>& p, const Index<Dim>& i, Transfer<Dim>& t) {
-  double best = 1;
+void send_to_roomiest(const MovesView<Dim>& p, const Index<Dim>& i, Transfer<Dim>& t) {
+  double best = 0;
   for (int d = 0; d < Dim; ++d)
     for (int side = -1; side <= 1; side += 2) {
       Index<Dim> j = i;
       j[d] += side;
-      const int k = p.window.at(j);
-      if (p.kind[k] != CellKind::cut || p.volume[k] / p.full(j) >= best) continue;
-      best = p.volume[k] / p.full(j);
+      if (p.kind[p.window.at(j)] != CellKind::cut || p.room(j) / p.full(j) <= best) continue;
+      best = p.room(j) / p.full(j);
       t.to = j;
       t.any = true;
     }
+}
+
+/// Where what cell i holds goes: to its neighbour `inward`, but where another body leaves no room there, to
+/// the cell around cell i with the most, of those farther inside that hold some of the body.
+template <int Dim>
+Index<Dim> with_room(const MovesView<Dim>& p, const Index<Dim>& i, const Index<Dim>& inward) {
+  const double needed = p.volume[p.window.at(i)] - little_room * p.full(i);
+  if (inward == i || !p.is_shared(inward) || p.room(inward) >= needed) return inward;
+  Index<Dim> best = inward;
+  Box<Dim> box{i, i};
+  for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
+  for_each(box, [&](const Index<Dim>& j) {
+    if (j == i || !p.exists(j) || !p.can_take(j)) return;
+    const int k = p.window.at(j);
+    const bool takes = p.kind[k] != CellKind::empty && p.phi[k] < p.phi[p.window.at(i)] &&
+                       p.volume[k] >= least_taker * p.full(j);
+    if (takes && p.room(j) / p.full(j) > p.room(best) / p.full(best) + little_room) best = j;
+  });
+  return best;
 }
 
 /// Least volume that a cut cell may have at a place: none where the body is thin, else a little below zero.
@@ -120,7 +146,7 @@ Transfer<Dim> back_into_bounds(const MovesView<Dim>& p, const Index<Dim>& i) {
     t.factor = 1;
     t.everything = true;
   } else if (v > whole - least && v - whole > rounding * whole) {
-    send_to_emptiest(p, i, t);
+    send_to_roomiest(p, i, t);
     t.volume = v - whole;
     t.factor = t.volume / v;
   }
@@ -169,7 +195,8 @@ void exchange_along_surface(const State<Dim>& state, Body<Dim>& body, int slot, 
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (Dim == 1 || b.end_geometry.cuts.empty()) return;  // a point has no tangent
-  const MovesView<Dim> p(state, body, slot, 1, scratch);
+  MovesView<Dim> p(state, body, slot, 1, scratch);
+  p.gather_others();
   for (const CutCell<Dim>& cut : b.end_geometry.cuts) {
     const Index<Dim> i = p.window.index_of(cut.cell);
     Update<Dim> u{cut.cell, p.volume[p.window.at(i)], p.contents(i)};
@@ -220,12 +247,13 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
   const int* senders = list_senders(p, count, scratch, gives);
   if (count == 0) return;
   p.gather_phi();
+  p.gather_others();
   const bool may_stay = can_fail(body.material.damage);
   transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
     const bool leaves = leaves_domain(p, i);
     if (!leaves && p.kind[p.window.at(i)] == CellKind::cut) return t;
-    t.to = leaves ? i : p.neighbour(i, -1);
+    t.to = leaves ? i : with_room(p, i, p.neighbour(i, -1));
     t.any = leaves || (!(t.to == i) && p.can_take(t.to));
     if (leaves && p.window.inner().contains(i)) book<Dim>(p.contents(i), edges);
     t.volume = p.volume[p.window.at(i)];
@@ -285,7 +313,7 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
-  const MovesView<Dim> p(state, body, slot, 3, scratch);
+  MovesView<Dim> p(state, body, slot, 3, scratch);
   const auto beyond = [&](const Index<Dim>& i) {
     const int k = p.window.at(i);
     return p.kind[k] == CellKind::cut && (p.volume[k] < 0 || p.volume[k] > p.full(i));
@@ -293,6 +321,7 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   int count = 0;
   const int* senders = list_senders(p, count, scratch, beyond);
   if (count == 0) return;
+  p.gather_others();
   const auto decide = [&](const Index<Dim>& i) { return back_into_bounds(p, i); };
   for (int s = 0; s < count; ++s) {
     const Index<Dim> i = p.window.box().index(senders[s]);

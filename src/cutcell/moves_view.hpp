@@ -20,7 +20,9 @@ class MovesView {
   MovesView(const State<Dim>& state, const Body<Dim>& body, int slot, int halo, Scratch& scratch)
       : grid(state.grid(slot)),
         window(state.mesh, slot, halo, body.at(slot).reach),
+        state_(state),
         body_(body),
+        slot_(slot),
         scratch_(scratch) {
     const std::size_t n = window.size();
     volume = scratch.take<double>(n);
@@ -32,6 +34,28 @@ class MovesView {
   }
 
   void gather_phi() { phi = view_level_set(grid, body_, window, &BodyBlock<Dim>::phi, scratch_); }
+
+  /// Finds what the other bodies that can be deformed hold in the cells of the window.
+  void gather_others() {
+    const auto n = static_cast<std::size_t>(window.size());
+    double* one = nullptr;
+    for (const Body<Dim>& other : state_.bodies) {
+      // A body within a few cells of a block is present in it.
+      if (&other == &body_ || other.rigid || !other.present(slot_)) continue;
+      if (!others) others = scratch_.take_filled<double>(n, 0.0), one = scratch_.take<double>(n);
+      window.gather([&](int s) { return other.present(s) ? other.at(s).volume.data() : nullptr; }, 0.0,
+                    Beyond::nothing, one);
+      for (std::size_t k = 0; k < n; ++k) others[k] += one[k];
+    }
+  }
+
+  /// Volume of a cell that no body has. Needs gather_others().
+  double room(const Index<Dim>& i) const {
+    const int k = window.at(i);
+    return full(i) - volume[k] - (others ? others[k] : 0);
+  }
+  /// Whether another body has a part of a cell.
+  bool is_shared(const Index<Dim>& i) const { return others && others[window.at(i)] > 0; }
 
   bool exists(const Index<Dim>& i) const { return window.source_inside(i).slot >= 0; }
   double full(const Index<Dim>& i) const { return grid.full_volume(i); }
@@ -102,7 +126,8 @@ class MovesView {
   const Grid<Dim>& grid;
   Window<Dim> window;
   double *volume = nullptr, *phi = nullptr;  // [window]; phi after gather_phi()
-  CellKind* kind = nullptr;                  // [window]
+  double* others = nullptr;  // [window], after gather_others(); null where there is no other body
+  CellKind* kind = nullptr;  // [window]
 
  private:
   static constexpr double drift = 1.5;  // cells that a surface may move since the reach was found
@@ -110,7 +135,9 @@ class MovesView {
   // A body with less than so many cells of matter in five is thin.
   static constexpr double thin_sum = 1.75;
 
+  const State<Dim>& state_;
   const Body<Dim>& body_;
+  int slot_;
   Scratch& scratch_;
 };
 

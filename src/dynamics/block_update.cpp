@@ -58,15 +58,22 @@ void gather_primitives(const Body<Dim>& body, int slot, double rho0, Work<Dim>& 
   }
 }
 
-/// Says which cells of the window have failed, and which of them have a void; nothing where none has.
+/// Says which cells of the window have failed, and which of them have a void; nothing where none has. Matter
+/// whose pressure knows its energy has an energy beside it (`extra`) only where donors of a ghost had a void.
 template <int Dim>
-void find_failed(Work<Dim>& w, Scratch& scratch) {
+void find_failed(const AnyEos& eos, Work<Dim>& w, Scratch& scratch) {
   using C = Components<Dim>;
-  const double *damage = w.primitive + C::damage * w.wide, *p = w.primitive + C::p * w.wide;
-  if (std::none_of(damage, damage + w.wide, [](double d) { return d >= failed_damage; })) return;
+  const double *damage = w.primitive + C::damage * w.wide, *p = w.primitive + C::p * w.wide,
+               *extra = w.primitive + C::extra * w.wide;
+  const auto has_void = [&](std::size_t k) {
+    return (damage[k] >= failed_damage && p[k] == 0) || (!eos.barotropic && extra[k] != 0);
+  };
+  bool any = false;
+  for (std::size_t k = 0; k < w.wide; ++k) any = any || damage[k] >= failed_damage || has_void(k);
+  if (!any) return;
   w.failed = scratch.take<std::uint8_t>(w.wide);
   for (std::size_t k = 0; k < w.wide; ++k)
-    w.failed[k] = damage[k] < failed_damage ? intact : p[k] != 0 ? failed_matter : with_void;
+    w.failed[k] = has_void(k) ? with_void : damage[k] >= failed_damage ? failed_matter : intact;
 }
 
 /// The shear modulus of the window's cells, where it follows the state.
@@ -90,7 +97,7 @@ void gather_values(const Body<Dim>& body, int slot, const AnyEos& eos, double sh
     gather_primitives<C::primitives>(body, slot, eos.rho0, w, scratch);
   else
     gather_primitives<C::damage>(body, slot, eos.rho0, w, scratch);
-  if (w.fails) find_failed(w, scratch);
+  if (w.fails) find_failed(eos, w, scratch);
   w.impedance = scratch.take<double>(w.wide + vector_length);
   const double least = least_sound_squared(eos);
   const double* rho = w.primitive;

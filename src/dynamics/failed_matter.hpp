@@ -31,13 +31,6 @@ bool relieve(const EosModel& eos, Primitives<Dim>& w) {
   return true;
 }
 
-/// Whether a primitive state is one that relieve() has left.
-template <int Dim>
-[[gnu::always_inline]] inline bool has_void(const Primitives<Dim>& w) {
-  using C = Components<Dim>;
-  return w[C::damage] >= failed_damage && w[C::p] == 0;
-}
-
 /// The density [kg/m3] at which matter of the energy e [J/kg] is free of pressure; `from` is a density at
 /// which it would be in tension. By false position (Illinois), which one step ends where p is linear in rho;
 /// an equation of state whose tension falls again towards low density has its root above all the same.

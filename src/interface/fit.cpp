@@ -123,9 +123,9 @@ RECOIL_MULTIVERSION void sum_donors(const Packed<count>* values, const Donor<Dim
   }
 }
 
-/// Primitives that are fitted.
-template <int Dim, class EosModel>
-constexpr std::size_t fitted = EosModel::barotropic ? Components<Dim>::primitives : Components<Dim>::contents;
+/// Primitives that are fitted: all. The energy of voids (`extra`) belongs to the density that they lower.
+template <int Dim>
+constexpr std::size_t fitted = Components<Dim>::primitives;
 
 /// Whether surface_state() has to take a faster sound than that of this state. Voids have no stress to need
 /// it for.
@@ -148,9 +148,9 @@ double calm_part(const Material& material, double range, double modulus) {
 
 template <int Dim, class EosModel>
 void evaluate(const EosModel& eos, const Body<Dim>& body, const Donor<Dim>* donors,
-              const Packed<fitted<Dim, EosModel>>* values, Wall<Dim>& wall, Counters& counters) {
+              const Packed<fitted<Dim>>* values, Wall<Dim>& wall, Counters& counters) {
   using C = Components<Dim>;
-  constexpr std::size_t count = fitted<Dim, EosModel>;
+  constexpr std::size_t count = fitted<Dim>;
   DonorSums<Dim, count> sums;
   sum_donors<Dim, count>(values, donors, wall.donors, sums);
   const auto mean_of = [&](std::size_t c) { return sums.mean[c] + sums.base[c]; };
@@ -220,7 +220,7 @@ void evaluate_fits(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   const Box<Dim> layout = state.grid().layout();
   std::visit(
       [&](const auto& eos) {
-        constexpr std::size_t count = fitted<Dim, std::remove_cvref_t<decltype(eos)>>;
+        constexpr std::size_t count = fitted<Dim>;
         auto* values = scratch.take<Packed<count>>(b.donors.cells.size());
         pack<Dim, count>(body, b.donors.cells, n, values);
         for (std::size_t m = 0; m < b.walls.size(); ++m) {

@@ -22,6 +22,8 @@ namespace {
 constexpr double touching_gap = 0.5;  // surfaces farther apart [dx] do not meet in this step
 constexpr double kept_contact_gap =
     0.1;  // below this [dx], what was in contact stays so without closing a gap first
+constexpr double most_fill = 1.05;   // of a cell: matter beyond it pushes the surfaces in it apart ...
+constexpr double push_rate = 0.2;    // ... so fast that this part of it would be gone after a step
 constexpr double welded_gap = 0.01;  // glued bodies that are this near [dx] hold each other
 constexpr double small_face =
     0.1;  // of dx^(Dim-1): a smaller part of a surface takes its normal from elsewhere
@@ -56,6 +58,7 @@ struct Cluster {
   std::size_t count = 0;
   Index<Dim> cell;  // global
   double face = 0;  // dx^(Dim-1), r-weighted in an axisymmetric domain
+  double fill = 0;  // of the cell, by all bodies that can be deformed
 
   void add(const Side<Dim>& s) { side[count++] = s; }
 };
@@ -142,6 +145,19 @@ ShearSide<Dim> shear_side(const SurfaceState<Dim>& s) {
   return {s.sliding, s.shear, s.shear_impedance};
 }
 
+/// Speed with which surfaces that close are to part where their cell holds more than there is room for [m/s]:
+/// no faster than they would close, and none where they open, so that no contact is kept closed by it.
+template <int Dim>
+double push_apart(const BlockStage<Dim>& a, const Cluster<Dim>& c, const ContactSide& one,
+                  const ContactSide& other) {
+  if (!(c.fill > most_fill)) return 0;
+  const double closing = free_velocity(one.velocity, one.stress, one.impedance) -
+                         free_velocity(other.velocity, -other.stress, other.impedance);
+  if (!(closing > 0)) return 0;
+  ++a.state().ledger[a.view.slot].counters.pushed_contacts;
+  return std::min(push_rate * (c.fill - most_fill) * a.view.dx() / a.dt, closing);
+}
+
 template <int Dim>
 void try_pair(const BlockStage<Dim>& a, Side<Dim>& first, Side<Dim>& second, double gap,
               const Cluster<Dim>& c) {
@@ -168,7 +184,9 @@ void try_pair(const BlockStage<Dim>& a, Side<Dim>& first, Side<Dim>& second, dou
     return;
   }
   const auto r = surface_state(other.material, second.wall->value, e);
-  const Touch t = touch(mine, {r.velocity, r.stress, r.impedance}, gap_speed, glued);
+  const ContactSide theirs{r.velocity, r.stress, r.impedance};
+  const double push = glued ? 0 : push_apart(a, c, mine, theirs);
+  const Touch t = touch(mine, theirs, push > 0 ? -push : gap_speed, glued);
   if (!t.touching) return;
   const ShearContact<Dim> g = shear_contact(shear_side(s), shear_side(r), shear_limit(law, t));
   touch_part(first, second.body, e, 1, t.first_velocity * e + g.first_velocity, t, g, area);
@@ -270,11 +288,13 @@ bool reset_walls(State<Dim>& state, int slot) {
 template <int Dim>
 bool gather_sides(State<Dim>& state, int slot, int m, int cell, Cluster<Dim>& c) {
   c.count = 0;
+  c.fill = 0;
   for (int q = 0; q < state.count(); ++q) {
     Body<Dim>& body = state.bodies[q];
     if (!body.present(slot)) continue;
     BodyBlock<Dim>& b = body.at(slot);
     const int at = b.geometry.index[cell];
+    if (!body.rigid) c.fill += b.volume[cell];
     if (at < 0) continue;
     if (!body.rigid && q < m) return false;
     const CutCell<Dim>& cut = b.geometry.cuts[at];
@@ -295,6 +315,7 @@ void find_all(const BlockStage<Dim>& a) {
       if (!gather_sides(state, slot, m, cut.cell, c)) continue;
       c.cell = a.view.window.index_of(cut.cell);
       c.face = a.area * state.grid().radius(c.cell[0]);
+      c.fill /= state.grid().full_volume(c.cell);
       if (c.count > 1) touch_all(a, c);
       for (std::size_t k = 0; k < c.count; ++k)
         if (!c.side[k].rigid) free_part(a, c.side[k], c);

@@ -17,12 +17,14 @@ namespace recoil {
 
 namespace {
 
-constexpr double whole_fill = 0.99;        // part of a cell from which on it counts as whole
-constexpr double judged_fill = 0.5;        // part of a cell from which on strain and heat are judged
+constexpr double whole_fill = 0.99;  // part of a cell from which on it counts as whole
+constexpr double judged_fill =
+    0.5;  // part of a cell, without voids, from which on strain and heat are judged
 constexpr double no_strain = -1e-6;        // plastic strain below it is negative, beyond rounding
 constexpr double no_heat = 1e-3;           // K below the start, by plastic work
 constexpr double least_noise = 3;          // K below the isentrope: 5 MPa of noise at rest in copper is 0.7 K
 constexpr double noise_of_stress = 0.005;  // of the stress of the impact, that the temperature may be off by
+constexpr double noise_of_melting = 0.01;  // of the way to melting: strength hardly depends on so little
 constexpr long recent_steps = 100;
 
 /// Bulk modulus at rest [Pa].
@@ -32,12 +34,15 @@ double bulk_modulus(const Material& m) {
 }
 
 /// How far below the isentrope a temperature may lie [K]: as far as an error of the pressure takes it, of a
-/// small part of the stress `rho c V/2` of an impact of like on like.
+/// small part of the stress `rho c V/2` of an impact of like on like, or a small part of what is left to the
+/// melting temperature, by which strength depends on it.
 double noise_of(const Material& m, double closing_speed) {
   const double rho = density(m), error = noise_of_stress * 0.5 * rho * bulk_sound_speed(m) * closing_speed;
   const double per_heat = (pressure(m.eos, rho, 1e3) - pressure(m.eos, rho, 0)) / 1e3;  // dp/de [kg/m3]
-  if (!(per_heat > 0)) return least_noise;
-  return std::max(least_noise, error / (per_heat * m.thermal.specific_heat));
+  double noise = least_noise;
+  if (const double melting = m.facts.melting_temperature; !std::isnan(melting))
+    noise = std::max(noise, noise_of_melting * (melting - m.thermal.initial_temperature));
+  return per_heat > 0 ? std::max(noise, error / (per_heat * m.thermal.specific_heat)) : noise;
 }
 
 /// What is solid of a fragment: all of it, but of failed matter.
@@ -124,6 +129,7 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
   };
   if (fill < judged_fill) return;
   const PointState<Dim> p = point_state(body, contents_of(b, static_cast<int>(k)), volume);
+  if (fill * (1 - p.void_fraction) < judged_fill) return;  // the void in it is no matter
   note(StateCheck::negative_strain, no_strain - p.plastic_strain, p.plastic_strain, 0);
   const TemperatureLaw& law = body.temperature;
   const bool by_energy = law.thermal().rule == Thermal::Rule::energy;

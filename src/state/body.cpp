@@ -43,7 +43,8 @@ std::vector<std::pair<const char*, std::int64_t*>> Counters::list() {
           {"faces-of-dust", &faces_of_dust},
           {"faces-at-open-edges", &faces_at_open_edges},
           {"opened-cells", &opened_cells},
-          {"restored-cells", &restored_cells}};
+          {"restored-cells", &restored_cells},
+          {"pushed-contacts", &pushed_contacts}};
 }
 
 template <int Dim>

@@ -75,6 +75,30 @@ TYPED_TEST(Values, ABodyInFreeFlightLooksTheSameEverywhere) {
   EXPECT_GT(ghosts, dim == 1 ? 4 : 50);
 }
 
+/// Beyond dust its void goes on, with the energy that belongs to its density.
+TYPED_TEST(Values, GhostsOfFailedMatterHaveTheEnergyOfItsVoids) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  Material breaks = this->material;
+  breaks.damage = TensileDamage{};
+  Primitives<dim> torn = moving<dim>(breaks, 50 * this->normal);
+  torn[0] *= 0.97;
+  torn[C::p] = pressure(breaks.eos, torn[0], 0);
+  torn[C::damage] = 1;
+  Prepared<dim> p(this->grid, {ball(this->middle, 6.4 * this->grid.dx)}, {torn}, breaks);
+  fill_values(p);
+  const double own = energy(breaks.eos, torn[0], 0);
+  int ghosts = 0;
+  for_each_piece(p.state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    if ((b.role[k] & valued) == 0) return;
+    ghosts += (b.role[k] & regular) == 0;
+    const auto w = TestFixture::stencil_of(b, k);
+    ASSERT_NEAR(w[0] / torn[0], 1, 1e-9);
+    ASSERT_NEAR(w[C::extra] / own, -1, 1e-6);
+  });
+  EXPECT_GT(ghosts, dim == 1 ? 4 : 50);
+}
+
 /// No reconstruction at an open face lacks a value, on any block.
 TYPED_TEST(Values, EveryFaceFindsItsValues) {
   constexpr int dim = TestFixture::dim;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "walls_fixture.hpp"
 
@@ -88,6 +90,33 @@ TYPED_TEST(Walls, AnImpactGivesBothTheSameWithOppositeSign) {
       ASSERT_NEAR(w.volume_rate, 0.5 * speed * dot(this->normal, cut.surface), 1e-9);
     });
   EXPECT_GT(touching, dim == 1 ? 1 : 8);
+}
+
+/// Bodies that fill their cells by more than 1.05 are pushed apart, at most as fast as they close; where they
+/// open they are free.
+TYPED_TEST(Walls, OverfilledCellsPushSurfacesApartWhileTheyClose) {
+  constexpr int dim = TestFixture::dim;
+  const double slow = 1, fast = 1e4, overlap = 0.15;
+  for (const double speed : {slow, fast, -slow}) {
+    auto p =
+        this->facing(0, moving<dim>(this->material, speed * this->normal), moving<dim>(this->material, {}));
+    for_each_piece(p.state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+      if (b.volume[k] > 0) b.volume[k] += overlap * this->grid.dx_power(dim);
+    });
+    find_all(p, this->dt);
+    const double push = std::min(0.2 * (overlap - 0.05) * this->grid.dx / this->dt, std::max(speed, 0.0));
+    int pushed = 0;
+    p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>& cut, const Index<dim>& i) {
+      if (!this->inside(i) || !(p.state.bodies[0].at(0).volume[cut.cell] > 0)) return;
+      ++pushed;
+      const double expected = speed > 0 ? -0.5 * (speed + push) * this->z : 0;
+      ASSERT_NEAR(w.traction, expected, 1e-6 * std::abs(expected));
+    });
+    EXPECT_GT(pushed, 0);
+    std::int64_t counted = 0;
+    for (const auto& l : p.state.ledger) counted += l.counters.pushed_contacts;
+    EXPECT_EQ(counted > 0, speed > 0);
+  }
 }
 
 /// A fit across a shock may bear tension that its sound, below its floor, cannot answer for.

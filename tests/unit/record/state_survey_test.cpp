@@ -98,6 +98,15 @@ TEST(StateSurvey, ColderThanTheIsentropeIsCounted) {
   EXPECT_GT(count(seen(full_of(m, -3e3)), StateCheck::negative_heat), 0);
 }
 
+// One per cent of the way to melting: 1358 K - 300 K.
+TEST(StateSurvey, NoiseOfTheTemperatureIsSmallBesideTheWayToMelting) {
+  Material m = copper_with(samples::copper().strength, Thermal::Rule::energy);
+  m.facts.melting_temperature = 1358;
+  const double start = m.thermal.initial_temperature, heat = m.thermal.specific_heat;
+  EXPECT_EQ(count(seen(full_of(m, -0.009 * (1358 - start) * heat)), StateCheck::negative_heat), 0);
+  EXPECT_GT(count(seen(full_of(m, -0.011 * (1358 - start) * heat)), StateCheck::negative_heat), 0);
+}
+
 // Copper at 1 km/s: half a per cent of rho c V/2 = 17.6 GPa, over Gamma rho c_v, is 12.7 K.
 TEST(StateSurvey, NoiseOfTheTemperatureGoesWithTheImpact) {
   const Material m = copper_with(samples::copper().strength, Thermal::Rule::energy);
