@@ -33,6 +33,12 @@ double bulk_modulus(const Material& m) {
   return density(m) * c * c;
 }
 
+/// Melting temperature at rest density [K], of the strength model or of the facts; NaN where neither has one.
+double melting_at_rest(const Material& m) {
+  const double own = melting_temperature(m.strength, 1);
+  return std::isnan(own) ? m.facts.melting_temperature : own;
+}
+
 /// How far below the isentrope a temperature may lie [K]: as far as an error of the pressure takes it, of a
 /// small part of the stress `rho c V/2` of an impact of like on like, or a small part of what is left to the
 /// melting temperature, by which strength depends on it.
@@ -40,7 +46,7 @@ double noise_of(const Material& m, double closing_speed) {
   const double rho = density(m), error = noise_of_stress * 0.5 * rho * bulk_sound_speed(m) * closing_speed;
   const double per_heat = (pressure(m.eos, rho, 1e3) - pressure(m.eos, rho, 0)) / 1e3;  // dp/de [kg/m3]
   double noise = least_noise;
-  if (const double melting = m.facts.melting_temperature; !std::isnan(melting))
+  if (const double melting = melting_at_rest(m); !std::isnan(melting))
     noise = std::max(noise, noise_of_melting * (melting - m.thermal.initial_temperature));
   return per_heat > 0 ? std::max(noise, error / (per_heat * m.thermal.specific_heat)) : noise;
 }

@@ -92,7 +92,7 @@ TEST(StateSurvey, TensionIsHeldAgainstTheMaterialsOwnSpallStrength) {
 }
 
 TEST(StateSurvey, ColderThanTheIsentropeIsCounted) {
-  const Material m = copper_with(samples::copper().strength, Thermal::Rule::energy);
+  const Material m = copper_with(Elastic{43e9}, Thermal::Rule::energy);
   EXPECT_EQ(count(seen(full_of(m, 0)), StateCheck::negative_heat), 0);
   EXPECT_EQ(count(seen(full_of(m, -900)), StateCheck::negative_heat), 0) << "noise";
   EXPECT_GT(count(seen(full_of(m, -3e3)), StateCheck::negative_heat), 0);
@@ -100,7 +100,7 @@ TEST(StateSurvey, ColderThanTheIsentropeIsCounted) {
 
 // One per cent of the way to melting: 1358 K - 300 K.
 TEST(StateSurvey, NoiseOfTheTemperatureIsSmallBesideTheWayToMelting) {
-  Material m = copper_with(samples::copper().strength, Thermal::Rule::energy);
+  Material m = copper_with(PerfectlyPlastic{43e9, 0.4e9}, Thermal::Rule::energy);
   m.facts.melting_temperature = 1358;
   const double start = m.thermal.initial_temperature, heat = m.thermal.specific_heat;
   EXPECT_EQ(count(seen(full_of(m, -0.009 * (1358 - start) * heat)), StateCheck::negative_heat), 0);
