@@ -19,20 +19,17 @@ namespace recoil {
 
 namespace {
 
-constexpr double touching_gap = 0.5;  // surfaces farther apart [dx] do not meet in this step
-constexpr double kept_contact_gap =
-    0.1;  // below this [dx], what was in contact stays so without closing a gap first
-constexpr double most_fill = 1.05;   // of a cell: matter beyond it pushes the surfaces in it apart ...
-constexpr double push_rate = 0.2;    // ... so fast that this part of it would be gone after a step
-constexpr double welded_gap = 0.01;  // glued bodies that are this near [dx] hold each other
-constexpr double small_face =
-    0.1;  // of dx^(Dim-1): a smaller part of a surface takes its normal from elsewhere
-constexpr double no_direction =
-    1e-14;  // of dx^(Dim-1): surfaces whose area vectors differ by less do not face each other
-constexpr double least_shared = 1e-12;  // of a face: a smaller common area is no contact
-constexpr double nothing_left = 1e-6;   // of a face: a smaller rest of a surface moves with what touches it
-constexpr double rigid_slack =
-    1.0000001;  // of a rigid surface's area: what can be shared in spite of rounding
+constexpr double touching_gap = 0.5;      // surfaces farther apart [dx] do not meet in this step
+constexpr double kept_contact_gap = 0.1;  // nearer ones [dx] that were in contact stay so, and close no gap
+constexpr double most_fill = 1.05;        // of a cell: matter beyond it pushes surfaces apart that press ...
+constexpr double strong_contact = 0.05;   // ... with so much of rho c_L^2 at least ...
+constexpr double push_rate = 0.2;         // ... so fast that this part of it would be gone after a step
+constexpr double welded_gap = 0.01;       // glued bodies that are this near [dx] hold each other
+constexpr double small_face = 0.1;        // of dx^(Dim-1): a smaller surface takes its normal from elsewhere
+constexpr double no_direction = 1e-14;    // of dx^(Dim-1): areas that differ by less do not face each other
+constexpr double least_shared = 1e-12;    // of a face: a smaller common area is no contact
+constexpr double nothing_left = 1e-6;     // of a face: a smaller rest of a surface moves with what touches it
+constexpr double rigid_slack = 1.0000001;  // of a rigid surface's area: what can be shared despite rounding
 
 constexpr std::size_t most_pairs = most_bodies * (most_bodies - 1) / 2;
 
@@ -145,15 +142,17 @@ ShearSide<Dim> shear_side(const SurfaceState<Dim>& s) {
   return {s.sliding, s.shear, s.shear_impedance};
 }
 
-/// Speed with which surfaces that close are to part where their cell holds more than there is room for [m/s]:
-/// no faster than they would close, and none where they open, so that no contact is kept closed by it.
+/// Speed with which surfaces are to part where their cell holds more than there is room for and they press
+/// each other strongly [m/s]; no faster than they would close. A push is a stress itself: at weak contacts it
+/// would keep closed what opens.
+/// @param modulus rho c_L^2 of the softer side [Pa].
 template <int Dim>
 double push_apart(const BlockStage<Dim>& a, const Cluster<Dim>& c, const ContactSide& one,
-                  const ContactSide& other) {
+                  const ContactSide& other, double modulus) {
   if (!(c.fill > most_fill)) return 0;
+  if (!(-touch(one, other, 0).traction > strong_contact * modulus)) return 0;
   const double closing = free_velocity(one.velocity, one.stress, one.impedance) -
                          free_velocity(other.velocity, -other.stress, other.impedance);
-  if (!(closing > 0)) return 0;
   ++a.state().ledger[a.view.slot].counters.pushed_contacts;
   return std::min(push_rate * (c.fill - most_fill) * a.view.dx() / a.dt, closing);
 }
@@ -185,7 +184,9 @@ void try_pair(const BlockStage<Dim>& a, Side<Dim>& first, Side<Dim>& second, dou
   }
   const auto r = surface_state(other.material, second.wall->value, e);
   const ContactSide theirs{r.velocity, r.stress, r.impedance};
-  const double push = glued ? 0 : push_apart(a, c, mine, theirs);
+  const double softer = std::min(s.impedance * s.impedance / first.wall->value[0],
+                                 r.impedance * r.impedance / second.wall->value[0]);
+  const double push = glued ? 0 : push_apart(a, c, mine, theirs, softer);
   const Touch t = touch(mine, theirs, push > 0 ? -push : gap_speed, glued);
   if (!t.touching) return;
   const ShearContact<Dim> g = shear_contact(shear_side(s), shear_side(r), shear_limit(law, t));
