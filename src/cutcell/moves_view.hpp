@@ -42,7 +42,8 @@ class MovesView {
     for (const Body<Dim>& other : state_.bodies) {
       // A body within a few cells of a block is present in it.
       if (&other == &body_ || other.rigid || !other.present(slot_)) continue;
-      if (!others) others = scratch_.take_filled<double>(n, 0.0), one = scratch_.take<double>(n);
+      if (!others) others = scratch_.take_filled<double>(n, 0.0);
+      if (!one) one = scratch_.take<double>(n);
       window.gather([&](int s) { return other.present(s) ? other.at(s).volume.data() : nullptr; }, 0.0,
                     Beyond::nothing, one);
       for (std::size_t k = 0; k < n; ++k) others[k] += one[k];
