@@ -25,7 +25,7 @@ double free_velocity(double velocity, double stress, double impedance);
 ///   w >= 0: apart.   w < 0: sigma* = w Z_a Z_b/(Z_a + Z_b), u_a = v_a + sigma*/Z_a, u_b = v_b - sigma*/Z_b,
 ///   and the work velocity (Z_a u_a + Z_b u_b)/(Z_a + Z_b), which closes the energy of both to round-off.
 /// @param gap_speed gap over time step while a gap is still to close [m/s], which makes first touch happen on
-///   time, without a stand-off; 0 in contact; below 0: surfaces that overlap part with so much.
+///   time, without a stand-off; 0 in contact; below 0: surfaces that overlap part at that speed.
 /// @param glued the bodies hold each other: sigma* may pull.
 Touch touch(const ContactSide& first, const ContactSide& second, double gap_speed, bool glued = false);
 

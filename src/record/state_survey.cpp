@@ -135,7 +135,7 @@ void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, co
   };
   if (fill < judged_fill) return;
   const PointState<Dim> p = point_state(body, contents_of(b, static_cast<int>(k)), volume);
-  if (fill * (1 - p.void_fraction) < judged_fill) return;  // the void in it is no matter
+  if (fill * (1 - p.void_fraction) < judged_fill) return;  // voids are no matter
   note(StateCheck::negative_strain, no_strain - p.plastic_strain, p.plastic_strain, 0);
   const TemperatureLaw& law = body.temperature;
   const bool by_energy = law.thermal().rule == Thermal::Rule::energy;

@@ -75,7 +75,7 @@ TYPED_TEST(Values, ABodyInFreeFlightLooksTheSameEverywhere) {
   EXPECT_GT(ghosts, dim == 1 ? 4 : 50);
 }
 
-/// Beyond dust its void goes on, with the energy that belongs to its density.
+/// Ghosts beyond failed matter with voids are of its density, and have the energy that belongs to it.
 TYPED_TEST(Values, GhostsOfFailedMatterHaveTheEnergyOfItsVoids) {
   constexpr int dim = TestFixture::dim;
   using C = Components<dim>;
