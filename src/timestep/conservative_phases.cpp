@@ -56,7 +56,7 @@ void find_walls(StepRun<Dim>& step, double dt, const Stage& stage) {
 
 template <int Dim>
 void move_walls(StepRun<Dim>& step, double dt, const Stage& stage) {
-  static constexpr FieldAccess access{"move walls", phi | contact, geometry, walls};
+  static constexpr FieldAccess access{"move walls", phi | contact, geometry | volume, walls};
   if (stage.faces == FaceTime::now) return;
   State<Dim>& state = step.state();
   step.queue_each_slot(StepPhase::walls, access,
