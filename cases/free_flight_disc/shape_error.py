@@ -74,7 +74,7 @@ def main(folder):
     print(f"outside of the exact shape: {outside(x):.2f} %")
     if number(body.get("spin", 0)) != 0 and body["shape"]["kind"] == "box":
         centre = vector(body["spin-centre"], axes)
-        error, lag = min((outside(turn(x, centre, np.radians(a))), a) for a in np.arange(-2, 40, 0.5))
+        error, lag = min((outside(turn(x, centre, np.radians(a))), a) for a in np.arange(-10, 40, 0.5))
         print(f"outside of the same shape turned back by {lag} degrees: {error:.2f} %")
     eos = case["material"][body["material"]]["eos"]
     stiffness = number(eos["bulk-modulus"]) if "bulk-modulus" in eos else number(eos["density"]) * number(eos["c0"]) ** 2

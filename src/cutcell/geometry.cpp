@@ -31,6 +31,9 @@ CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, cons
     for (int side = 0; side < 2; ++side) {
       const Clip<Dim>& face = faces[d][side];
       c.open[d][side] = face.fraction * area * (face.fraction > 0 ? radius(face.centroid) : 1);
+      if (face.fraction > 0 && face.fraction < 1)
+        for (int e = 0; e < Dim; ++e)
+          if (e != d) c.open_middle[d][side][e] = face.centroid[e] - 0.5;
     }
   const Clip<Dim> fragment = clip<Dim>(corner, faces);
   c.volume = fragment.fraction * volume * radius(fragment.centroid);

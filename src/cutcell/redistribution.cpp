@@ -10,6 +10,7 @@
 
 #include "cutcell/geometry.hpp"
 #include "cutcell/holders.hpp"
+#include "cutcell/merged.hpp"
 #include "state/level_set_view.hpp"
 
 namespace recoil {
@@ -164,7 +165,7 @@ class Redistribution {
 
   void list_holders() {
     holders_ = list_holders_of(small_, smalls_, members_, n_, scratch_);
-    merged_ = scratch_.take<Merged>(static_cast<std::size_t>(smalls_));
+    merged_ = scratch_.take<Merged<Dim>>(static_cast<std::size_t>(smalls_));
     for (int s = 0; s < smalls_; ++s) merged_[s].known = false;
   }
 
@@ -187,17 +188,11 @@ class Redistribution {
     return x + body_.at(window_.source(i).slot).geometry.cuts[index_[k]].centroid;
   }
 
-  /// The state that a neighbourhood shares: mean and slope.
-  struct Merged {
-    bool known, possible;
-    Vec<Dim> centre;
-    Q mean, slope;
-  };
-
-  const Merged& merged(int s) {
-    Merged& m = merged_[s];
+  const Merged<Dim>& merged(int s) {
+    Merged<Dim>& m = merged_[s];
     if (m.known) return m;
-    m = {true, false, {}, {}, {}};
+    m = {};
+    m.known = true;
     Neighbourhood& h = small_[s];
     double volume = 0;
     for (int j = 0; j < h.members; ++j) {
@@ -215,12 +210,23 @@ class Redistribution {
     }
     m.centre *= 1 / volume;
     for (double& c : m.mean) c /= volume;
+    m.turning = turning_of(h.cell);
     if (h.axis >= 0 && h.members == 2) add_slope(h, m);
     return m;
   }
 
+  /// How the matter around a cut cell turns, by its fit; not in front of a strong shock.
+  Turning<Dim> turning_of(int k) const {
+    if (index_[k] < 0) return {};
+    const auto& walls = body_.at(window_.source(window_.box().index(k)).slot).walls;
+    const auto at = static_cast<std::size_t>(index_[k]);
+    if (at >= walls.size() || walls[at].donors == 0) return {};
+    const double rho = walls[at].value[Components<Dim>::rho], range = walls[at].range[Components<Dim>::rho];
+    return {walls[at], slope_kept_by(rho, rho + range)};
+  }
+
   /// A pair along an axis keeps the slope towards the two cells behind it, if these are whole enough.
-  void add_slope(const Neighbourhood& h, Merged& m) const {
+  void add_slope(const Neighbourhood& h, Merged<Dim>& m) const {
     const int step = h.direction * window_.stride(h.axis), one = members_[h.first + 1] + step,
               two = one + step;
     const Index<Dim> i1 = window_.box().index(one), i2 = window_.box().index(two);
@@ -228,8 +234,10 @@ class Redistribution {
     const double x0 = m.centre[h.axis], x1 = centroid(one)[h.axis], x2 = centroid(two)[h.axis];
     const Q q1 = contents(one), q2 = contents(two);
     const double calm = slope_kept_by(q1[0] / volume_[one], q2[0] / volume_[two]);
+    const Q turn1 = m.turning.change(m.mean, centroid(one) - m.centre),
+            turn2 = m.turning.change(m.mean, centroid(two) - m.centre);
     for (std::size_t c = 0; c < q1.size(); ++c) {
-      const double u1 = q1[c] / volume_[one], u2 = q2[c] / volume_[two];
+      const double u1 = q1[c] / volume_[one] - turn1[c], u2 = q2[c] / volume_[two] - turn2[c];
       m.slope[c] = calm * minmod((m.mean[c] - u1) / (x0 - x1), (u1 - u2) / (x1 - x2));
     }
     for (int c = Components<Dim>::ep; c < Components<Dim>::contents; ++c) keep_positive(h, m, c);
@@ -246,7 +254,7 @@ class Redistribution {
   }
 
   /// Damage of the pair that the slopes of it and of the density would take beyond 1 is uniform by mass.
-  void keep_damage_whole(const Neighbourhood& h, Merged& m) const {
+  void keep_damage_whole(const Neighbourhood& h, Merged<Dim>& m) const {
     constexpr std::size_t damage = Components<Dim>::damage;
     if (!(m.mean[0] > 0) || m.mean[damage] > m.mean[0]) return;
     for (int j = 0; j < h.members; ++j) {
@@ -259,7 +267,7 @@ class Redistribution {
 
   /// Flattens the slope of what cannot fall below zero until neither of the pair does. What the pair holds
   /// stays.
-  void keep_positive(const Neighbourhood& h, Merged& m, int c) const {
+  void keep_positive(const Neighbourhood& h, Merged<Dim>& m, int c) const {
     const auto at = static_cast<std::size_t>(c);
     double lowest = 0;
     for (int j = 0; j < h.members; ++j)
@@ -285,11 +293,9 @@ class Redistribution {
     if (!holders_.is_small[k])
       for (std::size_t c = 0; c < old.size(); ++c) sum[c] = old[c] * per_volume;
     for (const int s : holders_.of(k)) {
-      const Merged& m = merged(s);
-      const double z =
-          small_[s].axis >= 0 && m.possible ? centroid(k)[small_[s].axis] - m.centre[small_[s].axis] : 0;
-      for (std::size_t c = 0; c < old.size(); ++c)
-        sum[c] += m.possible ? m.mean[c] + m.slope[c] * z : old[c] * per_volume;
+      const Merged<Dim>& m = merged(s);
+      const Q shared = m.possible ? m.at(centroid(k), small_[s].axis) : Q{};
+      for (std::size_t c = 0; c < old.size(); ++c) sum[c] += m.possible ? shared[c] : old[c] * per_volume;
     }
     const double share = volume_[k] / holders_.shares(k);
     for (double& c : sum) c *= share;
@@ -371,7 +377,7 @@ class Redistribution {
   std::uint8_t* role_ = nullptr;  // of the start of the step
   int* members_ = nullptr;
   Holders holders_;
-  Merged* merged_ = nullptr;
+  Merged<Dim>* merged_ = nullptr;
 };
 
 }  // namespace

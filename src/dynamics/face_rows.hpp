@@ -6,6 +6,7 @@
 
 #include "dynamics/block_work.hpp"
 #include "dynamics/flux.hpp"
+#include "dynamics/partly_open.hpp"
 #include "state/body.hpp"
 
 namespace recoil::detail {
@@ -16,6 +17,7 @@ struct Faces {
   Box<Dim> box;
   const double* area = nullptr;
   FaceFlux<Dim> flux;
+  PartlyOpen<Dim> partly;
 
   FaceFlux<Dim> flux_at(int face) const { return {flux.flux, flux.velocity, flux.faces, face}; }
 };
@@ -55,6 +57,7 @@ void solve_along_rows(const AnyEos& eos, double g, const Work<Dim>& w, const Fac
       reconstruct<Dim, 0, Shear>(eos, g, row, 0, low, high);
       ++row.first;
       row.count = count;
+      move_to_open_parts(w, out.partly, count, at_face + from, at_cell + from, 1, high, 0, low, 1);
       counters.first_order_faces +=
           solve_faces<Dim, 0, Shear>(eos, g, row, high, 0, low, 1, out.flux_at(at_face + from));
     }
@@ -86,10 +89,12 @@ void solve_across_rows(const AnyEos& eos, double g, const Work<Dim>& w, const Fa
         if (!all.empty())
           reconstruct<Dim, Axis, Shear>(eos, g, w.row(first + all.lo, step, whole_vectors(all.hi - all.lo)),
                                         all.lo, low, *high);
-        if (!open.empty())
+        if (!open.empty()) {
+          const int n = open.hi - open.lo, face = at_face + layer * next + open.lo;
+          move_to_open_parts(w, out.partly, n, face, first + open.lo, step, *behind, open.lo, low, open.lo);
           counters.first_order_faces += solve_faces<Dim, Axis, Shear>(
-              eos, g, w.row(first + open.lo, step, open.hi - open.lo), *behind, open.lo, low, open.lo,
-              out.flux_at(at_face + layer * next + open.lo));
+              eos, g, w.row(first + open.lo, step, n), *behind, open.lo, low, open.lo, out.flux_at(face));
+        }
         std::swap(high, behind);
         open = ahead;
       }

@@ -217,7 +217,9 @@ void sweep(const AnyEos& eos, double g, const Geometry<Dim>& geometry, Work<Dim>
   else
     open_areas(w.grid, w.window, geometry, Axis, area);
 
-  const Faces<Dim> out{faces, area, {flux, velocity, nf, 0}};
+  const PartlyOpen<Dim> partly =
+      w.whole ? PartlyOpen<Dim>{} : find_partly_open(w.window, geometry, Axis, faces, scratch);
+  const Faces<Dim> out{faces, area, {flux, velocity, nf, 0}, partly};
   if constexpr (!Scheme::by_cells)
     solve_row_by_row<Dim, Axis, Shear, Scheme>(eos, g, w, out, counters);
   else if constexpr (Axis == 0)

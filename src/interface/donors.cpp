@@ -37,8 +37,9 @@ constexpr double decay_at_rim = 1.2, rim_curved = 0.02;
 // along the surface that are shorter than the fit is wide, and with reconstructions of little dissipation
 // these grow (docs/decisions/0043).
 constexpr double decay_nearest = 1.8;
-constexpr double fit_ridge = 0.006;  // of the total weight, on the diagonal of the gradient's matrix
-constexpr int fit_reach = 7;         // the widest box reaches 6 cells, the surface point lies at most 1 away
+// Second moments of the donors [dx^2] below which a gradient is damped (damped_inverse()).
+constexpr double fit_ridge = 0.006;
+constexpr int fit_reach = 7;  // the widest box reaches 6 cells, the surface point lies at most 1 away
 
 template <int Dim>
 using Matrix = std::array<Vec<Dim>, Dim>;
@@ -65,6 +66,21 @@ Matrix<Dim> inverse(const Matrix<Dim>& m) {
     a[1][2] = a[2][1] = (m[0][2] * m[0][1] - m[0][0] * m[1][2]) * det;
     a[2][2] = (m[0][0] * m[1][1] - m[0][1] * m[0][1]) * det;
   }
+  return a;
+}
+
+/// m (m m + r^2)^-1, which stands for the inverse of a symmetric matrix m of second moments (Tikhonov's
+/// regularisation of the least-squares problem of m itself). Of an eigenvalue far above r it is 1/m less the
+/// part (r/m)^2, at r as much as (m + r)^-1, and 0 at 0. (m + r)^-1 takes the part r/m of every gradient, 1
+/// to 3 %, and so brakes a body that turns (docs/decisions/0049).
+template <int Dim>
+Matrix<Dim> damped_inverse(const Matrix<Dim>& m, double r) {
+  Matrix<Dim> square{}, a{};
+  for (int d = 0; d < Dim; ++d)
+    for (int e = 0; e < Dim; ++e) square[d][e] = dot(m[d], m[e]) + (d == e ? r * r : 0);
+  const Matrix<Dim> inverted = inverse<Dim>(square);
+  for (int d = 0; d < Dim; ++d)
+    for (int e = 0; e < Dim; ++e) a[d][e] = dot(m[d], inverted[e]);
   return a;
 }
 
@@ -267,13 +283,8 @@ void solve(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors, bool by_nearest) {
   }
   const Vec<Dim> mean = first * (1 / total);
   for (int d = 0; d < Dim; ++d)
-    for (int e = d; e < Dim; ++e) {
-      double& m = second[d][e];
-      m -= total * mean[d] * mean[e];
-      if (d == e) m += fit_ridge * total;
-      second[e][d] = m;
-    }
-  const Matrix<Dim> a = inverse<Dim>(second);
+    for (int e = d; e < Dim; ++e) second[d][e] = second[e][d] = second[d][e] - total * mean[d] * mean[e];
+  const Matrix<Dim> a = damped_inverse<Dim>(second, fit_ridge * total);
   wall.donor_centre = by_nearest ? Vec<Dim>{} : mean;
   double nearest = 0;
   for (auto it = begin; it != end; ++it) {

@@ -146,6 +146,24 @@ double calm_part(const Material& material, double range, double modulus) {
   return std::clamp((shocked_range * softer - range) / ((shocked_range - calm_range) * softer), 0.0, 1.0);
 }
 
+/// Limits a fitted velocity to the ball around the box that the donors' velocities are in, with a radius
+/// larger by the part 2 `outside`. A limit component by component cuts off a body that turns where its donors
+/// hardly differ in one component but do in another, as at the corners of a square.
+template <int Dim, class Sums>
+void limit_velocity(const Sums& sums, double outside, Wall<Dim>& wall) {
+  using C = Components<Dim>;
+  Vec<Dim> middle, range, off;
+  for (int d = 0; d < Dim; ++d) {
+    const std::size_t c = C::u + d;
+    middle[d] = 0.5 * (sums.low[c] + sums.high[c]);
+    range[d] = sums.high[c] - sums.low[c];
+    off[d] = wall.value[c] - middle[d];
+  }
+  const double most = (0.5 + outside) * norm(range), length = norm(off);
+  if (length <= most) return;
+  for (int d = 0; d < Dim; ++d) wall.value[C::u + d] = middle[d] + off[d] * (most / length);
+}
+
 template <int Dim, class EosModel>
 void evaluate(const EosModel& eos, const Body<Dim>& body, const Donor<Dim>* donors,
               const Packed<fitted<Dim>>* values, Wall<Dim>& wall, Counters& counters) {
@@ -165,8 +183,12 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const Donor<Dim>* dono
     for (std::size_t d = 0; d < Dim; ++d) wall.gradient[c][static_cast<int>(d)] = sums.gradient[d][c];
     wall.range[c] = high - low;
     const double at_surface = mean - dot(wall.gradient[c], wall.donor_centre), slack = outside * (high - low);
-    wall.value[c] = c == C::rho || c >= C::ep ? mean : std::clamp(at_surface, low - slack, high + slack);
+    const bool velocity = c >= C::u && c < C::p;
+    wall.value[c] = c == C::rho || c >= C::ep ? mean
+                    : velocity                ? at_surface
+                                              : std::clamp(at_surface, low - slack, high + slack);
   }
+  limit_velocity(sums, outside, wall);
   const double rho = wall.value[C::rho];
   if (const auto gas = gas_isentrope(body.material.eos, rho, mean_p, wall.value[C::p])) {
     if (!gas->reached) ++counters.clamped_fit_densities;

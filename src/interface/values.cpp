@@ -156,6 +156,9 @@ Primitives<Dim> centred(const Grid<Dim>& grid, const Material& material, const C
   w[C::rho] += (p - p0) / sound_squared<Dim>(material, w[C::rho], p0, w[C::crushed]);
   w[C::p] = p;
   apply(w, x, n);
+  const Vec<Dim> along = dot(cut.centroid, n) * n - cut.centroid;
+  const double most = wall.velocity_range();
+  for (int d = 0; d < Dim; ++d) w[C::u + d] += std::clamp(dot(wall.gradient[C::u + d], along), -most, most);
   return w;
 }
 
@@ -222,9 +225,7 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
   const auto s = surface_state(material, v, n);
   const Vec<Dim> own = flipped(n, ghost.flips);
   const auto g = resolve<Dim>(slope_along(wall, own, grid.dx), own);
-  double speed2 = 0;
-  for (int d = 0; d < Dim; ++d) speed2 += wall.range[C::u + d] * wall.range[C::u + d];
-  const double most_u = std::sqrt(speed2), most_s = stress_range(wall);
+  const double most_u = wall.velocity_range(), most_s = stress_range(wall);
   const double du = wall.partners != 0 ? std::clamp(g.velocity * ghost.distance, -most_u, most_u) : 0;
   const double stress = wall.traction + std::clamp(g.stress * ghost.distance, -most_s, most_s);
   const auto gas = gas_state(material, v, s, wall.traction, stress);

@@ -17,6 +17,8 @@ template <int Dim>
 struct CutCell {
   int cell = 0;                                   // in the layout of its block
   std::array<std::array<double, 2>, Dim> open{};  // open area of the [low, high] face across each axis
+  // Middle of the open part of the [low, high] face across each axis, from the middle of the face, in dx.
+  std::array<std::array<Vec<Dim>, 2>, Dim> open_middle{};
   double plane_area = 0;  // area of the fragment in the r-z plane; 0 if not axisymmetric
   double volume = 0;      // V_phi
   Vec<Dim> centroid;      // of the fragment, from the cell's centre, in dx
@@ -61,6 +63,13 @@ struct Wall {
   Vec<Dim> force;
   double power = 0;
   std::array<Vec<Dim>, Dim> stretching{};  // [i][j]: integral of u_i n_j
+
+  /// Length of the diagonal of the box that the donors' velocities are in [m/s].
+  double velocity_range() const {
+    Vec<Dim> u;
+    for (int d = 0; d < Dim; ++d) u[d] = range[C::u + d];
+    return norm(u);
+  }
 };
 
 /// A cell whose average takes part in fits, as the block of the fits sees it.

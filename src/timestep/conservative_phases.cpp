@@ -92,7 +92,8 @@ void update_matter(StepRun<Dim>& step, double dt, const Stage& stage) {
 
 template <int Dim>
 void redistribute_small_fragments(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"redistribute", contents | volume | geometry | phi | role, {}, updates};
+  static constexpr FieldAccess access{
+      "redistribute", contents | volume | geometry | phi | role | walls, {}, updates};
   step.queue_each_body(StepPhase::redistribution, {access, 8},
                        [&step](Body<Dim>& body, int slot, Scratch& scratch) {
                          redistribute(step.state(), body, slot, step.counters(slot), scratch);
