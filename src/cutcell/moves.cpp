@@ -20,6 +20,7 @@ namespace {
 constexpr double least_state_fill = 0.02;  // below it a fragment's state carries no volume
 constexpr double open_bound = 0.1;         // how far V may be below 0 or above the cell where it is not thin
 constexpr double rounding = 1e-13;         // a smaller excess over a whole cell is none
+constexpr double counted_excess = 0.01;    // nearer to its bounds a volume is moved but not counted
 constexpr double ample_fill = 0.3;   // a neighbour with less does not lend to a cell that lacks volume ...
 constexpr double ample_times = 4;    // ... nor one with less than so many times what is lacking
 constexpr double most_lent = 0.5;    // of what a neighbour has, it gives to a cell without a state
@@ -327,7 +328,7 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
     const Index<Dim> i = p.window.box().index(senders[s]);
     if (!p.window.inner().contains(i)) continue;
     const Transfer<Dim> t = decide(i);
-    if (t.volume != 0) ++(t.any ? counters.volume_bounds : counters.volume_bounds_left);
+    if (std::abs(t.volume) > counted_excess * p.full(i)) ++(t.any ? counters.volume_bounds : counters.volume_bounds_left);
   }
   transfer<Dim>(p, b, senders, count, scratch, decide);
 }

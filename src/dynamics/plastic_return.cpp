@@ -16,7 +16,7 @@ namespace recoil {
 namespace {
 
 // What is nearer to its bounds is not counted: plastic strain, heating [K], distension.
-constexpr double least_strain = 1e-6, least_heat = 1e-3, least_distension = 1e-6;
+constexpr double least_strain = 1e-4, least_heat = 0.1, least_distension = 1e-6;
 
 /// A strength model with the shear modulus that it has in a state.
 template <class StrengthModel>

@@ -262,6 +262,19 @@ TYPED_TEST(Moves, VolumesBeyondTheirBoundsMove) {
   this->expect_uniform(state);
 }
 
+/// Sharp corners that are turned against the mesh are emptied in every step.
+TYPED_TEST(Moves, VolumesJustBeyondTheirBoundsMoveButAreNotCounted) {
+  auto state = this->slab(7.4);
+  const auto drained = TestFixture::cell(7, 9);
+  for (const int x : {5, 6}) this->put(state, TestFixture::cell(x, 9), 0.5 * this->whole(), this->one);  // thin
+  this->put(state, drained, -0.009 * this->whole(), this->one);
+  this->run(state, [&](int s, Scratch& scratch) {
+    bound_volumes(state, state.bodies[0], s, this->counters, scratch);
+  });
+  EXPECT_EQ(this->volume(state, drained), 0);
+  EXPECT_EQ(this->counters.volume_bounds + this->counters.volume_bounds_left, 0);
+}
+
 TYPED_TEST(Moves, ThickBodiesMayOvershootALittle) {
   auto state = this->slab(7.9);
   const auto drained = TestFixture::cell(7, 9);
