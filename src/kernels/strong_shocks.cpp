@@ -1,6 +1,7 @@
 #include "kernels/strong_shocks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "core/multiversion.hpp"
@@ -9,9 +10,27 @@ namespace recoil::detail {
 
 namespace {
 
-// Changes of stress over two cells, of rho c_L^2, from which on a shock is strong, and wholly so.
-constexpr double shock_onset = 0.1, shock_full = 0.2;
-constexpr double least_slope = 0.3;  // of the differences that a strong shock leaves inside of matter
+// Changes of stress over two cells, of rho c_L^2, from which on a shock is strong, and wholly so; and one that
+// is slow on the mesh.
+constexpr double shock_onset = 0.1, shock_full = 0.2, slow_onset = 0.02, slow_full = 0.05;
+// Speeds over the mesh, of c_L, up to which a shock is slow, and from which on it is not.
+constexpr double slow_speed = 0.4, fast_speed = 0.8;
+// What is left of the differences inside of matter.
+constexpr double least_slope = 0.3, least_slope_slow = 0.5;
+
+/// Where `x` is on the way from `from` to `to`: 0 to 1.
+double way(double x, double from, double to) { return std::clamp((x - from) / (to - from), 0.0, 1.0); }
+
+/// How slow a shock between the cells beside cell i is on the mesh, 0 (not at all) to 1. Its speed is that by
+/// which mass is kept, the jump of rho u over that of rho.
+double slowness(const ShockRow& row, std::ptrdiff_t i) {
+  const std::ptrdiff_t low = i - row.step, high = i + row.step;
+  const double* rho = row.rho;
+  const double jump = rho[high] - rho[low], flow = rho[high] * row.u[high] - rho[low] * row.u[low];
+  if (jump == 0) return 0;
+  const double c = std::min(row.impedance[low] / rho[low], row.impedance[high] / rho[high]);
+  return 1 - way(std::abs(flow / jump), slow_speed * c, fast_speed * c);
+}
 
 }  // namespace
 
@@ -29,14 +48,23 @@ bool find_strong_shocks(const ShockRow& row, int count, double* kept) {
     kept[i] = u[i + h] < u[i - h] && z_below > 0 && z_above > 0 ? part : 0.0;
     most = kept[i] > most ? kept[i] : most;
   }
-  if (!(most > shock_onset)) return false;
+  if (!(most > slow_onset)) return false;
+  bool any = false;
   for (int i = 0; i < count; ++i) {
-    const double strength = std::clamp((kept[i] - shock_onset) / (shock_full - shock_onset), 0.0, 1.0);
-    bool own = true;
-    for (int s = -2; row.own != nullptr && s <= 2; ++s) own = own && (row.own[i + s * h] & row.own_bit) != 0;
-    kept[i] = own ? std::max(1 - strength, least_slope) : 1 - strength;
+    const double part = kept[i];
+    kept[i] = 1;
+    if (!(part > slow_onset)) continue;
+    kept[i] = std::max(1 - slowness(row, i) * way(part, slow_onset, slow_full), least_slope_slow);
+    if (part > shock_onset) {
+      bool own = true;
+      for (int s = -2; row.own != nullptr && s <= 2; ++s)
+        own = own && (row.own[i + s * h] & row.own_bit) != 0;
+      const double strong = 1 - way(part, shock_onset, shock_full);
+      kept[i] = std::min(kept[i], own ? std::max(strong, least_slope) : strong);
+    }
+    any |= kept[i] < 1;
   }
-  return true;
+  return any;
 }
 
 RECOIL_MULTIVERSION

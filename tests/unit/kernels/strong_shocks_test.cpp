@@ -20,14 +20,16 @@ struct Shocked {
   std::array<double, looked_at> kept{};
   bool any = false;
 
-  /// @param jump of stress from the fourth cell to the sixth, of rho c^2. @param lone a cell without its own
-  /// average.
-  explicit Shocked(double strength, double closing = 1, int lone = -1) {
+  /// @param strength change of the stress from the fourth cell to the sixth, of rho c^2. @param closing change
+  /// of the velocity [m/s]. @param lone a cell without its own average. @param compression change of the
+  /// density, of rho. @param frame velocity of all [m/s].
+  explicit Shocked(double strength, double closing = 1, int lone = -1, double compression = 0,
+                   double frame = 0) {
     for (std::size_t i = 0; i < cells; ++i) {
       const double part = i < 4 ? 0 : i == 4 ? 0.5 : 1;
-      density[i] = rho, z[i] = rho * sound, own[i] = 1;
+      density[i] = rho * (1 + compression * (1 - part)), z[i] = density[i] * sound, own[i] = 1;
       stress[i] = -strength * rho * sound * sound * (1 - part);
-      u[i] = -closing * part;
+      u[i] = frame - closing * part;
     }
     if (lone >= 0) own[static_cast<std::size_t>(lone)] = 0;
     any = find_strong_shocks({stress.data() + margin, u.data() + margin, z.data() + margin,
@@ -47,6 +49,20 @@ TEST(StrongShocks, GrowWithTheJumpAndKeepAPart) {
   EXPECT_DOUBLE_EQ(strong.kept[2], 0.3) << "inside of matter";
   EXPECT_DOUBLE_EQ(strong.kept[1], 0.3) << "half of the jump";
   EXPECT_EQ(strong.kept[0], 1) << "and none";
+}
+
+/// Matter behind moves with 250 m/s, so the shock runs with 5250 m/s through the matter ahead, 1.05 c.
+TEST(StrongShocks, ThatAreSlowOnTheMeshCountFromLessOn) {
+  const auto slow = [](double strength, double speed_over_mesh) {
+    return Shocked(strength, 250, -1, 0.05, 250 + speed_over_mesh - 5250);
+  };
+  EXPECT_FALSE(slow(0.0199, 0).any) << "too weak";
+  EXPECT_FALSE(slow(0.0999, 4200).any) << "fast, as where one body is at rest";
+  EXPECT_NEAR(slow(0.0275, 0).kept[2], 0.75, 1e-12);
+  EXPECT_NEAR(slow(0.05, 1900).kept[2], 0.5, 1e-12);
+  EXPECT_NEAR(slow(0.05, -1900).kept[2], 0.5, 1e-12);
+  EXPECT_NEAR(slow(0.05, 3500).kept[2], 0.75, 1e-12);
+  EXPECT_NEAR(slow(0.4, 0).kept[2], 0.3, 1e-12) << "strong besides";
 }
 
 TEST(StrongShocks, AreFirstOrderBesideGhostValues) {
