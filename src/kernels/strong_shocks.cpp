@@ -15,6 +15,9 @@ namespace {
 constexpr double shock_onset = 0.1, shock_full = 0.2, slow_onset = 0.02, slow_full = 0.05;
 // Speeds over the mesh, of c_L, up to which a shock is slow, and from which on it is not.
 constexpr double slow_speed = 0.4, fast_speed = 0.8;
+// Of one shock the jump of stress times that of the specific volume is the jump of velocity, squared (Rankine
+// and Hugoniot). Waves that cross, as at a wall that throws one back, have more of the former.
+constexpr double most_of_one_shock = 1.5;
 // What is left of the differences inside of matter.
 constexpr double least_slope = 0.3, least_slope_slow = 0.5;
 
@@ -28,6 +31,8 @@ double slowness(const ShockRow& row, std::ptrdiff_t i) {
   const double* rho = row.rho;
   const double jump = rho[high] - rho[low], flow = rho[high] * row.u[high] - rho[low] * row.u[low];
   if (jump == 0) return 0;
+  const double closing = row.u[high] - row.u[low], volume = 1 / rho[high] - 1 / rho[low];
+  if (!((row.stress[high] - row.stress[low]) * volume < most_of_one_shock * closing * closing)) return 0;
   const double c = std::min(row.impedance[low] / rho[low], row.impedance[high] / rho[high]);
   return 1 - way(std::abs(flow / jump), slow_speed * c, fast_speed * c);
 }

@@ -65,6 +65,12 @@ TEST(StrongShocks, ThatAreSlowOnTheMeshCountFromLessOn) {
   EXPECT_NEAR(slow(0.4, 0).kept[2], 0.3, 1e-12) << "strong besides";
 }
 
+/// Behind a shock that a wall throws back matter is at rest as ahead of it: the jump of rho u is nearly zero.
+TEST(StrongShocks, ThatCrossAreNotSlow) {
+  EXPECT_NEAR(Shocked(0.05, 250, -1, 0.05, -5000).kept[2], 0.5, 1e-12);
+  EXPECT_FALSE(Shocked(0.05, 10, -1, 0.05, 0).any);
+}
+
 TEST(StrongShocks, AreFirstOrderBesideGhostValues) {
   EXPECT_DOUBLE_EQ(Shocked(0.4, 1, 2).kept[2], 0);
   EXPECT_DOUBLE_EQ(Shocked(0.4, 1, 1).kept[2], 0.3) << "three cells away";
