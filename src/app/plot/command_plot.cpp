@@ -66,7 +66,8 @@ struct Record {
   std::string what, name, column;
 };
 
-int plot_record(const PlotOptions& o, const Record& record) {
+int plot_record(PlotOptions o, const Record& record) {
+  o.round_off = round_off_of(o.folder);
   const CsvTable table = read_csv(fs::path(o.folder) / record.what);
   if (table.columns.size() < 2)
     throw InputError(fmt::format("{} has no column besides the time", table.path.string()));
@@ -91,13 +92,19 @@ int plot_record(const PlotOptions& o, const Record& record) {
   return save_chart(o, std::move(chart), record.name);
 }
 
+/// @throws InputError where a run has no gauge of that name.
+void require_gauge(const std::string& run, const std::string& file, const std::string& name) {
+  if (fs::exists(fs::path(run) / file)) return;
+  if (!fs::is_directory(run)) throw InputError(fmt::format("there is no folder {}", run));
+  const std::string near = did_you_mean(name, gauges_in(run));
+  throw InputError(
+      fmt::format("there is no gauge '{}' in {}{}{}", name, run, near.empty() ? "" : "\n   = help: ", near));
+}
+
 int plot_gauge(const PlotOptions& o, const std::string& name) {
   const std::string file = "gauges/" + name + ".csv";
-  if (!fs::exists(fs::path(o.folder) / file)) {
-    const std::string near = did_you_mean(name, gauges_in(o.folder));
-    throw InputError(fmt::format("there is no gauge '{}' in {}{}{}", name, o.folder,
-                                 near.empty() ? "" : "\n   = help: ", near));
-  }
+  require_gauge(o.folder, file, name);
+  for (const std::string& other : o.others) require_gauge(other, file, name);
   return plot_record(o, {file, name, o.what.size() > 1 ? o.what[1] : ""});
 }
 
