@@ -79,6 +79,8 @@ class Environment(Program):
         else:
             closed.chmod(0o500)
         self.expect(recoil("run", self.case(), "-o", closed / "out", *COARSE), 4, str(closed))
+        picture = closed / "start.png"
+        self.expect(recoil("check", self.case(), "--png", picture), 4, f"cannot write '{picture}'")
 
     def test_less_memory_than_the_case_needs(self):
         case = self.case(('finest = "0.05 mm"', 'finest = "0.001 um"'))
