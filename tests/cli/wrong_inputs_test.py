@@ -127,7 +127,7 @@ ERRORS = [
     (['[expect]\n"gauge.rear.velocity.max" = { value = "1 us", within = "1 %" }'],
      "'gauge.rear.velocity.max' is of [velocity], but the expected value is of [time]", 22, 1, "give it in m/s"),
     (['[expect]\n"foo" = true'], "there is no quantity 'foo'", 22, 1, "quantities begin with body., budget., contact."),
-    (['[expect]\n"guage.rear.velocity.max" = { at-least = "1 m/s" }'], "there is no quantity 'guage.rear.velocity.max'", 22, 1,
+    (['[expect]\n"gaugee.rear.velocity.max" = { at-least = "1 m/s" }'], "there is no quantity 'gaugee.rear.velocity.max'", 22, 1,
      "did you mean 'gauge'?"),
     (['[expect]\n"gauge.rear.velosity.max" = { at-least = "1 m/s" }'], "gauge 'rear' has no column 'velosity'", 22, 1,
      "did you mean 'velocity'?"),

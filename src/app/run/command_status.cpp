@@ -49,7 +49,7 @@ Standing read_status(const fs::path& file) {
 /// What the newest checkpoint is worth; nothing where there is none.
 std::string resume_text(const fs::path& folder) {
   const auto all = checkpoints_of(folder);
-  if (all.empty()) return "it has left no checkpoint: only a new run can replace it, with --force\n";
+  if (all.empty()) return "it has left no checkpoint to go on from; a new run takes its place\n";
   const fs::path& newest = all.back();
   try {
     const double time = checkpoint_text(BlockFile(newest).head().text).time;
