@@ -25,6 +25,14 @@ class Plot(Program):
         self.expect(recoil("plot", self.folder / "nowhere", "pressure"), 2, "no folder")
         self.expect(recoil("plot", out, "pressure", "--at", "60 us"), 2, "beyond the end of the run", "last fields")
 
+    def test_a_column_without_numbers_is_no_picture(self):
+        self.expect(self.run_coarse("--end", "0.1us"), 0)
+        (self.folder / "out" / "gauges" / "none.csv").write_text("time [us],depth [mm],width [mm]\n0,nan,1\n1,nan,1\n")
+        file = self.folder / "picture.png"
+        self.expect(recoil("plot", self.folder / "out", "gauge.none", "-o", file), 2, "there is no number in 'depth", "width")
+        self.assertFalse(file.exists())
+        self.expect(recoil("plot", self.folder / "out", "gauge.none", "width", "-o", file), 0)
+
     def test_round_off_does_not_look_like_physics(self):
         case = self.folder / "flight.toml"
         case.write_text("""

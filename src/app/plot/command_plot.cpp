@@ -1,8 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -82,6 +85,11 @@ int plot_record(PlotOptions o, const Record& record) {
   chart.y_title = column;
   if (!o.reference.empty()) chart.series.push_back(reference_curve(o.reference, over, unit));
   chart.series.push_back(curve(table, column, over, unit, label_of(o.folder, o, record.name)));
+  if (std::ranges::none_of(chart.series.back().y, [](double y) { return std::isfinite(y); }))
+    throw InputError(
+        fmt::format("there is no number in '{}' of {}\n   = help: nan means that there was nothing to "
+                    "measure; other columns: {}",
+                    column, table.path.string(), fmt::join(std::span(table.columns).subspan(1), ", ")));
   for (const std::string& other : o.others)
     chart.series.push_back(
         curve(read_csv(fs::path(other) / record.what), column, over, unit, label_of(other, o, record.name)));
