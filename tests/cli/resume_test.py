@@ -177,7 +177,7 @@ class Resume(unittest.TestCase):
         self.same(run)
 
     def test_asked_to_stop(self):
-        for request in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1):
+        for request in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGHUP):
             run = self.folder / request.name
             process = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -189,6 +189,23 @@ class Resume(unittest.TestCase):
             self.expect(recoil("run", self.case, "-o", run), 2, "interrupted run", "recoil resume")
             self.finish(run)
             self.same(run)
+
+    def test_a_pipe_without_a_reader_and_nohup(self):
+        run = self.folder / "pipe"
+        with subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "-j", "1"], stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, text=True) as process:
+            self.assertIn("two blocks", process.stdout.readline())
+            process.stdout.close()
+        self.assertEqual(process.returncode, self.exit)
+        self.same(run)
+        self.assertIn("verdict", (run / "run.log").read_text())
+        run = self.folder / "nohup"
+        with subprocess.Popen(["nohup", PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            time.sleep(0.5 * self.duration)
+            process.send_signal(signal.SIGHUP)
+        self.assertEqual(process.returncode, self.exit)
+        self.same(run)
 
     def test_a_longer_run_and_what_may_not_change(self):
         run = self.folder / "longer"

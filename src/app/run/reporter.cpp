@@ -50,9 +50,15 @@ Reporter::Reporter(Display display, bool speaks, const std::filesystem::path& lo
 
 Reporter::~Reporter() { clear(); }
 
+void Reporter::show(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  // Whoever read has gone (a closed pipe, a terminal that hung up), and the run goes on: run.log has it all.
+  if (std::freopen("/dev/null", "w", stdout) == nullptr) std::clearerr(stdout);
+  display_ = Display::none;
+}
+
 void Reporter::clear() {
-  if (line_shown_) fmt::print("\r\033[K");
-  if (line_shown_) std::fflush(stdout);
+  if (line_shown_) show("\r\033[K");
   line_shown_ = false;
 }
 
@@ -62,8 +68,7 @@ void Reporter::write(const std::string& line, bool to_terminal) {
   std::fflush(log_.get());
   if (!to_terminal) return;
   clear();
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
+  show(line + '\n');
 }
 
 void Reporter::say(const std::string& line) { write(line, display_ != Display::none); }
@@ -78,8 +83,7 @@ void Reporter::progress(const Progress& now) {
     next_log_ = clock + line_every;
   }
   if (display_ != Display::live || clock < next_) return;
-  fmt::print("\r\033[K{}", text_of(now, begun_at_, first_step_, wall, true));
-  std::fflush(stdout);
+  show("\r\033[K" + text_of(now, begun_at_, first_step_, wall, true));
   line_shown_ = true;
   next_ = clock + live_every;
 }

@@ -47,6 +47,7 @@ class Reporter {
  private:
   using Clock = std::chrono::steady_clock;
   void write(const std::string& line, bool to_terminal);
+  void show(const std::string& text);
 
   Display display_;
   bool speaks_, line_shown_ = false;
