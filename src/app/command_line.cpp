@@ -5,10 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -139,6 +142,8 @@ int report_errors(const std::function<int()>& body) {
     return fail(exit_environment,
                 "out of memory\n   = help: larger cells (mesh.finest) need less; "
                 "`recoil check` estimates how much");
+  } catch (const std::system_error& e) {  // from printing or starting threads
+    return fail(exit_environment, e.what());
   } catch (const std::exception& e) {
     return fail(exit_our_bug, std::string(e.what()) +
                                   "\n   = help: this is a bug in recoil, not in your input; please "
@@ -155,7 +160,10 @@ int command_line(int argc, const char* const* argv) {
       if (e.get_exit_code() == 0) return commands.top.exit(e);  // help, version
       return report_usage(commands, e, argc, argv);
     }
-    return commands.chosen();
+    const int code = commands.chosen();
+    if (std::fflush(stdout) != 0)
+      throw EnvironmentError(fmt::format("the output cannot be written: {}", std::strerror(errno)));
+    return code;
   });
 }
 
