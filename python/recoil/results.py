@@ -184,7 +184,7 @@ class Run:
     @cached_property
     def references(self):
         """Curves that the run was compared with, by name of file: DataFrames."""
-        own = {"history.csv", "events.csv", "fragments.csv"}
+        own = {"history.csv", "events.csv", "fragments.csv", "quantities.csv"}
         return Tables("reference", {p.name: p for p in sorted(self.folder.glob("*.csv")) if p.name not in own})
 
     def series(self, name):

@@ -40,14 +40,17 @@ def read_table(path):
     lines = _lines(path)
     headings = next(csv.reader(lines[:1]))
     names, units = zip(*map(split_name, headings))
-    frame = pandas.read_csv(
-        io.StringIO("\n".join(lines[1:])),
-        names=list(names),
-        index_col=False,
-        keep_default_na=False,
-        na_values=["nan"],
-        float_precision="round_trip",
-    )
+    try:
+        frame = pandas.read_csv(
+            io.StringIO("\n".join(lines[1:])),
+            names=list(names),
+            index_col=False,
+            keep_default_na=False,
+            na_values=["nan"],
+            float_precision="round_trip",
+        )
+    except ValueError as error:
+        raise InputError(f"{path} is not a table of numbers below one line of names: {str(error).strip()}") from error
     if len(names) > 1 and all(pandas.api.types.is_numeric_dtype(kind) for kind in frame.dtypes):
         frame = frame.set_index(names[0])
     frame.attrs["units"] = dict(zip(names, units))

@@ -2,7 +2,7 @@
 
 import type { Report, Variable } from "./data";
 import { cssColour } from "./dom";
-import type { Span } from "./plot_area";
+import type { NotedSpan, Span } from "./plot_area";
 
 let tables: Report["colours"] | null = null;
 
@@ -32,14 +32,15 @@ function packed(colour: string): number {
 /** How the values of a field become colours. */
 export interface Scale {
   range: Span;
+  note: string; // behind the label: that the values are round-off only
   colours: string[]; // from below; of a field of names none
   colourOf: (value: number) => number;
 }
 
-export function scaleOf(variable: Variable, wanted: Span): Scale {
+export function scaleOf(variable: Variable, wanted: NotedSpan): Scale {
   if (variable.categories) {
     const known = new Map(variable.categories.map((c) => [c.value, packed(c.colour)]));
-    return { range: wanted, colours: [], colourOf: (v) => known.get(v) ?? 0 };
+    return { range: wanted, note: "", colours: [], colourOf: (v) => known.get(v) ?? 0 };
   }
   const both = variable.signed && wanted.from < 0 && wanted.to > 0;
   const most = Math.max(Math.abs(wanted.from), Math.abs(wanted.to));
@@ -51,7 +52,7 @@ export function scaleOf(variable: Variable, wanted: Span): Scale {
   const factor = last / (range.to - range.from);
   const colourOf = (v: number) =>
     Number.isNaN(v) ? 0 : (words[Math.max(0, Math.min(last, Math.round((v - range.from) * factor)))] ?? 0);
-  return { range, colours, colourOf };
+  return { range, note: wanted.note, colours, colourOf };
 }
 
 /** Values as a picture of one pixel a value, the first row below. */

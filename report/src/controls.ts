@@ -3,7 +3,7 @@
 import type { Variable } from "./data";
 import { h } from "./dom";
 import { CONTACT_COLOURS, CONTACT_NAMES } from "./field_picture";
-import type { Span } from "./plot_area";
+import type { NotedSpan } from "./plot_area";
 
 export const HELP =
   "Keys: \u2190 \u2192 frames, Home End, Space plays, [ ] fields, Shift with arrows moves the point, " +
@@ -18,8 +18,22 @@ export const RANGE_MODES = [
   { value: "frame", text: "this frame" },
 ];
 
+/** Values with seven digits cannot show smaller differences, of the largest. */
+const DIGITS = 5e-7;
+
+/** Noise must not look like physics: round-off spans no more than its part of the scale, one value half of itself. */
+function honest(variable: Variable, from: number, to: number): NotedSpan {
+  const noise = variable.round_off ?? 0;
+  const most = Math.max(Math.abs(from), Math.abs(to));
+  if (variable.categories || most === 0) return { from, to, note: "" };
+  if (most <= noise) return { from: variable.signed || from < 0 ? -noise : 0, to: noise, note: ", round-off only" };
+  if (to === from || to - from > Math.max(noise, DIGITS * most)) return { from, to, note: "" };
+  const middle = 0.5 * (from + to);
+  return { from: middle - 0.5 * Math.abs(middle), to: middle + 0.5 * Math.abs(middle), note: ", uniform" };
+}
+
 /** The values that colours or an axis span; 0 to 1 where there are none. */
-export function rangeOf(variable: Variable, values: Float32Array, mode: RangeMode): Span {
+export function rangeOf(variable: Variable, values: Float32Array, mode: RangeMode): NotedSpan {
   let [from, to] = variable[mode === "frame" ? "range" : mode];
   if (mode === "frame") {
     from = Infinity;
@@ -29,7 +43,7 @@ export function rangeOf(variable: Variable, values: Float32Array, mode: RangeMod
       if (v > to) to = v;
     }
   }
-  return from === null || to === null || from > to ? { from: 0, to: 1 } : { from, to };
+  return from === null || to === null || from > to ? { from: 0, to: 1, note: "" } : honest(variable, from, to);
 }
 
 /** Buttons for the field over time along a line through the point: 0 across, 1 upwards. */

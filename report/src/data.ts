@@ -46,6 +46,7 @@ export interface Variable {
   name: string;
   label: string;
   signed: boolean;
+  round_off?: number; // below which differences are noise
   range: [number | null, number | null];
   typical: [number | null, number | null];
   categories?: Category[];

@@ -168,7 +168,7 @@ export function drawField(context: CanvasRenderingContext2D, area: PlotArea, sce
   drawProbe(context, area, scene);
   context.restore();
   const [x, y] = scene.axes;
-  drawAxes(context, area, [`${x ?? "x"} [mm]`, line ? scene.variable.label : `${y ?? "y"} [mm]`]);
+  drawAxes(context, area, [`${x ?? "x"} [mm]`, line ? scene.variable.label + scene.scale.note : `${y ?? "y"} [mm]`]);
   if (!line) drawKey(context, area, scene.variable, scene.scale);
 }
 
@@ -182,7 +182,7 @@ export function drawKey(
   const left = area.left + area.width + 14;
   if (variable.categories) drawCategories(context, { left, top: area.top }, variable.categories);
   else
-    drawColourBar(context, { left, top: area.top, height: area.height }, scale.colours, scale.range, variable.label);
+    drawColourBar(context, { left, top: area.top, height: area.height }, scale.colours, scale.range, variable.label + scale.note);
 }
 
 /** Round limits a little beyond a range, for the axis of a curve. */

@@ -26,6 +26,7 @@ function superscript(n: number): string {
 /** With the decimals that a step between neighbouring values leaves. */
 export function atStep(value: number, step: number): string {
   const decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(Math.abs(step) || 1) + 1e-9)));
+  if (decimals > 6) return written(Number(value.toFixed(decimals)));
   const text = Math.abs(value).toFixed(decimals);
   return (value < 0 && Number(text) !== 0 ? MINUS : "") + text;
 }

@@ -8,6 +8,11 @@ export interface Span {
   to: number;
 }
 
+/** With what is to be said of it behind the label. */
+export interface NotedSpan extends Span {
+  note: string;
+}
+
 /** Where data lies on the canvas, in CSS pixels. */
 export class PlotArea {
   constructor(

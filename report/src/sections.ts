@@ -60,7 +60,13 @@ function reasons(all: Reason[]): HTMLElement | null {
 
 function lines(all: string[], title: string): HTMLElement | null {
   if (all.length === 0) return null;
-  return h("p", { class: "remarks" }, h("strong", {}, `${title} `), all.join(" "));
+  if (all.length === 1) return h("p", { class: "remarks" }, h("strong", {}, `${title} `), all[0] ?? "");
+  return h(
+    "div",
+    { class: "remarks" },
+    h("strong", {}, title),
+    h("ul", {}, ...all.map((line) => h("li", {}, line))),
+  );
 }
 
 /** Numbers of a run in one row. */
@@ -100,7 +106,7 @@ export function verdict(run: Run): HTMLElement {
       ? h(
           "details",
           {},
-          h("summary", {}, `Limited or replaced: ${limited.length} kinds`),
+          h("summary", {}, `Limited or replaced: ${limited.length} ${limited.length === 1 ? "kind" : "kinds"}`),
           table("Counters", ["What", "Times"], limited.map(([k, n]) => [k, n.toLocaleString("en")]), [1]),
         )
       : null,

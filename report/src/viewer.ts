@@ -253,7 +253,7 @@ export class Viewer {
     const span = rangeOf(scene.variable, this.line.values, this.mode);
     const context = prepared(this.timeCanvas, size.width, size.height);
     drawOverTime(context, size, this.line, scene.variable, scaleOf(scene.variable, span), scene.frame.t);
-    const title = `${scene.variable.label} along ${this.line.axis}${this.line.where ? `, ${this.line.where}` : ""}`;
+    const title = `${scene.variable.label}${span.note} along ${this.line.axis}${this.line.where ? `, ${this.line.where}` : ""}`;
     const heading = this.timeBox.querySelector("h3");
     if (heading) heading.textContent = title;
     this.timeCanvas.setAttribute("aria-label", `${title}, over time`);
@@ -277,7 +277,7 @@ export class Viewer {
     const step = ticks(times[0]?.t ?? 0, times[times.length - 1]?.t ?? 1, 2000).step;
     this.timeText.textContent = `${atStep(frame.t, step)} \u00b5s, ${this.index + 1} of ${times.length}`;
     this.slider.setAttribute("aria-valuetext", `${atStep(frame.t, step)} microseconds`);
-    this.canvas.setAttribute("aria-label", `${variable.label} at ${atStep(frame.t, step)} microseconds`);
+    this.canvas.setAttribute("aria-label", `${variable.label}${scene.scale.note} at ${atStep(frame.t, step)} microseconds`);
     for (const listener of this.listeners) listener(frame.t);
     void this.tellPoint();
   }

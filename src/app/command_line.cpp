@@ -5,10 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -75,13 +78,43 @@ std::string cure(const CLI::App& top, int argc, const char* const* argv) {
   return {};
 }
 
+/// The command that the words name, as far as they do: "recoil material show".
+std::pair<const CLI::App*, std::string> named_command(const CLI::App& top, int argc,
+                                                      const char* const* argv) {
+  std::pair<const CLI::App*, std::string> found{&top, "recoil"};
+  for (int i = 1; i < argc; ++i) {
+    const std::vector<std::string> known = names_of_commands(*found.first);
+    if (std::find(known.begin(), known.end(), argv[i]) == known.end()) continue;
+    found.first = found.first->get_subcommand(argv[i]);
+    found.second += std::string(" ") + argv[i];
+  }
+  return found;
+}
+
+/// What is missing, by the name that the help gives it: "CASE is missing (case file, or its folder)".
+std::string missing(const CLI::App& command, const std::string& what) {
+  if (!names_of_commands(command).empty()) return "a command is missing";
+  for (const CLI::Option* o : command.get_options())
+    if (what == o->get_name() + " is required")
+      return fmt::format("{} is missing ({})", o->get_positional() ? o->get_type_name() : o->get_name(),
+                         o->get_description());
+  return what;
+}
+
 int report_usage(const Commands& commands, const CLI::ParseError& e, int argc, const char* const* argv) {
   std::string what = e.what();
-  if (const std::string word = unknown_command(commands.top, argc, argv); !word.empty())
-    what = fmt::format("there is no command '{}'", word);
+  const std::string word = unknown_command(commands.top, argc, argv);
+  if (!word.empty()) what = fmt::format("there is no command '{}'", word);
   std::replace(what.begin(), what.end(), '\n', ' ');
-  const std::string help = cure(commands.top, argc, argv);
-  fmt::print(stderr, "error: {}\n   = help: {}\n", what, help.empty() ? "see recoil --help" : help);
+  const auto [command, words] = named_command(commands.top, argc, argv);
+  std::string help = cure(commands.top, argc, argv);
+  if (word.empty() && e.get_name() == "RequiredError") {
+    what = missing(*command, what);
+    if (const auto known = names_of_commands(*command); help.empty() && !known.empty())
+      help = fmt::format("the commands are: {}; `recoil --help` says what they do", fmt::join(known, ", "));
+  }
+  if (help.empty()) help = fmt::format("`{} --help` tells more", words);
+  fmt::print(stderr, "error: {}\n   = help: {}\n", what, help);
   return exit_bad_input;
 }
 
@@ -109,6 +142,8 @@ int report_errors(const std::function<int()>& body) {
     return fail(exit_environment,
                 "out of memory\n   = help: larger cells (mesh.finest) need less; "
                 "`recoil check` estimates how much");
+  } catch (const std::system_error& e) {  // from printing or starting threads
+    return fail(exit_environment, e.what());
   } catch (const std::exception& e) {
     return fail(exit_our_bug, std::string(e.what()) +
                                   "\n   = help: this is a bug in recoil, not in your input; please "
@@ -125,7 +160,10 @@ int command_line(int argc, const char* const* argv) {
       if (e.get_exit_code() == 0) return commands.top.exit(e);  // help, version
       return report_usage(commands, e, argc, argv);
     }
-    return commands.chosen();
+    const int code = commands.chosen();
+    if (std::fflush(stdout) != 0)
+      throw EnvironmentError(fmt::format("the output cannot be written: {}", std::strerror(errno)));
+    return code;
   });
 }
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/plot/round_off.hpp"
+
 /// What each command of the program was asked for, and the functions that do it. They return the exit code.
 namespace recoil::app {
 
@@ -67,6 +69,7 @@ struct PlotOptions {
   bool log = false;                 // logarithmic colours, or vertical axis
   int width = 0, height = 0;        // pixels; 0: as usual
   std::string title;                // empty: of the case or run
+  RoundOff round_off;               // of the run, below which differences are noise; no option
 };
 int plot(const PlotOptions& options);
 

@@ -1,6 +1,7 @@
 #include "config/read_case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -66,12 +67,22 @@ void check_expected_names(const std::vector<Expectation>& expect, const std::vec
                           const std::vector<Gauge>& gauges, Diagnostics& out) {
   CaseReading in{Geometry::space, {}, out};
   for (const Body& body : bodies) in.bodies.push_back(body.name);
+  static const std::vector<std::string> kinds{"body",  "budget",    "contact", "event", "failure",
+                                              "floor", "fragments", "gauge",   "run"};
   std::vector<std::string> gauge_names;
   for (const Gauge& gauge : gauges) gauge_names.push_back(gauge.name);
   for (const Expectation& e : expect) {
     const std::size_t dot = e.quantity.find('.');
-    if (dot == std::string::npos) continue;
     const std::string first = e.quantity.substr(0, dot);
+    if (std::ranges::find(kinds, first) == kinds.end() || dot == std::string::npos) {
+      const std::string near = did_you_mean(first, kinds);
+      out.error(e.place, fmt::format("there is no quantity '{}'", e.quantity),
+                !near.empty() && near.find('\'' + first + '\'') == std::string::npos
+                    ? near
+                    : fmt::format("quantities begin with {}., e.g. gauge.NAME.COLUMN.max",
+                                  fmt::join(kinds, "., ")));
+      continue;
+    }
     const std::string name = e.quantity.substr(dot + 1, e.quantity.find('.', dot + 1) - dot - 1);
     if (first == "contact") {
       read_pair(name, e.place, in.bodies, out);

@@ -23,9 +23,11 @@ namespace {
 /// Closes on leaving the scope; the explicit close() reports what the kernel held back until then.
 class FileDescriptor {
  public:
-  FileDescriptor(const std::filesystem::path& path, int flags)
-      : path_(path), id_(::open(path.c_str(), flags | O_CLOEXEC, 0644)) {
-    if (id_ < 0) refuse("open", path_, errno);
+  FileDescriptor(const std::filesystem::path& path, int flags) : FileDescriptor(path, flags, path) {}
+  /// @param named what messages call it: the name that a temporary file will get.
+  FileDescriptor(const std::filesystem::path& path, int flags, const std::filesystem::path& named)
+      : path_(named), id_(::open(path.c_str(), flags | O_CLOEXEC, 0644)) {
+    if (id_ < 0) refuse(named == path ? "open" : "write", path_, errno);
   }
   FileDescriptor(const FileDescriptor&) = delete;
   FileDescriptor& operator=(const FileDescriptor&) = delete;
@@ -113,7 +115,7 @@ void sync_and_rename(const std::filesystem::path& temporary, const std::filesyst
 void write_atomically(const std::filesystem::path& path, std::string_view text) {
   const auto temporary = temporary_name(path);
   try {
-    FileDescriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    FileDescriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC, path);
     file.write(text);
     file.sync();
     file.close();

@@ -16,6 +16,7 @@ namespace recoil {
 
 namespace {
 
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double judged_fill = 0.3;  // part of a cell from which on a fragment's strain counts
 
 /// Places of the sums and maxima of one body in a row of ExactSums.
@@ -168,9 +169,8 @@ BodyTotals<Dim> take_body(std::span<const double> row) {
     t.momentum[d] = row[A::momentum + e];
     t.place[d] = row[A::place + e];
     const bool somewhere = std::isfinite(row[A::highest + e]);
-    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-    t.highest[d] = somewhere ? row[A::highest + e] : nowhere;
-    t.lowest[d] = somewhere ? -row[A::minus_lowest + e] : nowhere;
+    t.highest[d] = somewhere ? row[A::highest + e] : no_number;
+    t.lowest[d] = somewhere ? -row[A::minus_lowest + e] : no_number;
   }
   return t;
 }
@@ -187,11 +187,27 @@ void end_at_edges(const Grid<Dim>& grid, BodyTotals<Dim>& t) {
   }
 }
 
+/// Along a periodic axis a body has no one place: it lies on both ends of the domain while it crosses the
+/// edge, and its coordinates would jump by the length of the domain.
+template <int Dim>
+void forget_periodic_places(const Grid<Dim>& grid, BodyTotals<Dim>& t) {
+  for (int d = 0; d < Dim; ++d)
+    if (grid.periodic(d)) t.place[d] = t.lowest[d] = t.highest[d] = no_number;
+}
+
+/// Nor has x cross m u a meaning in a plane with such an axis.
+template <int Dim>
+void forget_periodic_moments(const Grid<Dim>& grid, Vec<3>& moment) {
+  for (int d = 0; d < Dim; ++d)
+    for (int about = 0; about < 3; ++about)
+      if (grid.periodic(d) && about != d && (Dim == 3 || about == 2)) moment[about] = no_number;
+}
+
 /// A free rigid body holds what it has been given; one that moves as prescribed counts as nothing.
 template <int Dim>
 BodyTotals<Dim> rigid_totals(const RigidMotion<Dim>& m) {
   BodyTotals<Dim> t;
-  for (int d = 0; d < Dim; ++d) t.lowest[d] = t.highest[d] = std::numeric_limits<double>::quiet_NaN();
+  for (int d = 0; d < Dim; ++d) t.lowest[d] = t.highest[d] = no_number;
   if (!m.mass) return t;
   t.mass = m.mass->mass;
   t.momentum = t.mass * m.velocity;
@@ -276,6 +292,7 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
   for (int m = 0; m < bodies; ++m) {
     t.bodies.push_back(take_body<Dim>(sums.total(m)));
     end_at_edges(state.grid(), t.bodies.back());
+    forget_periodic_places(state.grid(), t.bodies.back());
     if (state.bodies[m].rigid) t.bodies.back() = rigid_totals(*state.bodies[m].rigid);
     t.edges.push_back(take_account<Dim>(sums.total(bodies + m)));
     t.released.push_back(sums.total(bodies + m)[2 + Dim]);
@@ -288,6 +305,8 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
   for (int m = 0; m < bodies; ++m)
     if (state.bodies[m].rigid && state.bodies[m].rigid->mass)
       t.bodies[m].angular_momentum += received_moment(t, m);
+  for (BodyTotals<Dim>& body : t.bodies) forget_periodic_moments(state.grid(), body.angular_momentum);
+  for (Vec<3>& moment : t.moments) forget_periodic_moments(state.grid(), moment);
   return t;
 }
 

@@ -18,12 +18,13 @@ struct BodyTotals {
   double energy = 0;          // J, kinetic and internal
   double volume = 0;          // m^3 (1d: m, planar: m^2)
   double speed = 0;           // kg m/s, sum of m |u|: the scale of momentum
-  Vec<Dim> place;             // kg m, sum of m x
+  Vec<Dim> place;             // kg m, sum of m x; NaN along periodic axes
   Vec<3> angular_momentum;    // kg m2/s about the origin: x cross m u at the centres of cells; planar: the
-                              // third; 0 in 1d, and of no meaning where axisymmetric
+                              // third; 0 in 1d, and of no meaning where axisymmetric; NaN about axes across
+                              // a periodic one
   double plastic_strain = 0;  // largest, in fragments of at least 0.3 of a cell
   double failed = 0;          // kg of matter that has failed
-  Vec<Dim> lowest, highest;   // m, extent; NaN where the body is nowhere
+  Vec<Dim> lowest, highest;   // m, extent; NaN where the body is nowhere, and along periodic axes
   std::int64_t cells = 0;     // with matter
 
   double internal() const { return energy - kinetic; }

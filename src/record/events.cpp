@@ -64,9 +64,10 @@ struct Watched {
 struct EventWatch::Parts {
   std::vector<std::string> names;
   int dim = 1;
-  double least_gap = 0;         // m
-  double stand_off = 0;         // m
-  double gap_at = 0;            // part of a step
+  double least_gap = 0;  // m
+  double stand_off = 0;  // m
+  double gap_at = 0;     // part of a step
+  std::vector<std::string> axes;
   std::array<bool, 3> sided{};  // axes along which a body is but half of one
   std::vector<Watched> pairs;
   std::vector<Event> events, news;
@@ -101,20 +102,23 @@ struct EventWatch::Parts {
     return {velocity_before(w.a, samples, motion), velocity_before(w.b, samples, motion)};
   }
 
+  /// "450" in 1-D, else "x 60 y -350"; empty where no component has a meaning.
   /// @param of what a velocity is part; what is less than its round-off is shown as 0.
   std::string components(const Three& v, const std::array<Three, 2>& of) const {
     const double least = std::max(round_off * std::max(size(of[0]), size(of[1])), least_speed);
     std::vector<std::string> shown;
     for (std::size_t d = 0; d < static_cast<std::size_t>(dim); ++d)
-      shown.push_back(sided[d] ? "-" : fmt::format("{:.5g}", std::abs(v[d]) > least ? v[d] : 0.0));
+      if (!sided[d])
+        shown.push_back(
+            fmt::format("{}{:.5g}", dim > 1 ? axes[d] + ' ' : "", std::abs(v[d]) > least ? v[d] : 0.0));
     return fmt::format("{}", fmt::join(shown, " "));
   }
 
   std::string motion_text(const Watched& w, const std::array<Three, 2>& v) const {
     std::vector<std::string> texts;
     for (std::size_t k = 0; k < 2; ++k)
-      if (w.free[k])
-        texts.push_back(fmt::format("{} {} m/s", names[k == 0 ? w.a : w.b], components(v[k], v)));
+      if (const std::string shown = components(v[k], v); w.free[k] && !shown.empty())
+        texts.push_back(fmt::format("{} {} m/s", names[k == 0 ? w.a : w.b], shown));
     return fmt::format("{}", fmt::join(texts, ", "));
   }
 
@@ -248,6 +252,7 @@ EventWatch::EventWatch(std::vector<std::string> names, config::Geometry geometry
   Parts& p = *parts_;
   p.names = std::move(names);
   p.dim = config::dimension(geometry);
+  p.axes = config::axes_of(geometry);
   p.least_gap = rule.gap;
   p.stand_off = rule.stand_off;
   p.gap_at = rule.gap_at;

@@ -1,5 +1,6 @@
 #include "record/recorder.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "record/recorder_parts.hpp"
@@ -8,7 +9,9 @@ namespace recoil {
 
 namespace {
 
-constexpr double status_every = 5;  // s of wall time
+/// What a killed run leaves is older than this part of the time that it has worked, and than so many seconds
+/// of wall time, by no more than the step in hand.
+constexpr double status_part = 0.1, status_every = 5;
 constexpr int exit_stopped = 3, exit_expectation_failed = 5, exit_doubtful = 6;
 
 /// Says the same error on all ranks that rank 0 found. Collective.
@@ -43,7 +46,7 @@ Recorder<Dim>::~Recorder() = default;
 template <int Dim>
 void Recorder<Dim>::begin(const State<Dim>& state) {
   Parts& p = *parts_;
-  p.started = wall_clock();
+  p.start(state);
   p.open_tables(CsvMode::create);
   p.collect(state, true, true);
   const Totals<Dim> totals = find_totals(state, p.world, p.team);
@@ -57,13 +60,16 @@ void Recorder<Dim>::begin(const State<Dim>& state) {
   const auto floors = p.count_floors(state);
   together(p.world, [&] { check_known(p.quantities(totals, floors, state.step), p.case_.expect); });
   p.dump(state);
-  if (p.first()) p.save_status(state, "running");
+  if (!p.first()) return;
+  p.flush();
+  p.save_status(state, "running");
 }
 
 template <int Dim>
-void Recorder<Dim>::after_step(const State<Dim>& state, double dt) {
+void Recorder<Dim>::after_step(const State<Dim>& state, double dt, bool unstable) {
   Parts& p = *parts_;
   p.dt = dt;
+  p.unstable_steps += unstable ? 1 : 0;
   p.collect(state, false);
   const bool history = p.history_due.at(state.time), bodies = p.gauges.needs_totals(state.time);
   Totals<Dim> totals;
@@ -76,7 +82,7 @@ void Recorder<Dim>::after_step(const State<Dim>& state, double dt) {
   p.look_for_lift_off(state);
   p.save_events();
   p.dump_if_due(state);
-  if (p.first() && wall_clock() - p.status_last > status_every) {
+  if (p.first() && p.status_is_due(std::min(status_every, status_part * p.worked()))) {
     p.flush();
     p.save_status(state, "running");
   }
@@ -147,6 +153,7 @@ void Recorder<Dim>::abandon(const State<Dim>& state, const RunFacts& facts, cons
   Counters all;
   for (const auto& ledger : state.ledger) all += ledger.counters;
   for (const auto& [name, count] : all.list()) e.counters.emplace_back(name, *count);
+  e.steps = state.step, e.unstable_steps = p.unstable_steps;
   Summary s;
   s.version = facts.version, s.case_name = case_name(p.case_);
   s.exit = exit_stopped, s.passed = false;

@@ -33,7 +33,7 @@ class Recorder {
   void begin(const State<Dim>& state);
   /// After every advance() with the length that it returned [s]. @throws PhysicsError, on all processes,
   /// where the run has passed a limit that stops it: stopped() is true then, and finish() may follow.
-  void after_step(const State<Dim>& state, double dt);
+  void after_step(const State<Dim>& state, double dt, bool unstable = false);
   /// After regrid() has changed the mesh: what is kept for each block follows its block.
   void after_regrid(const State<Dim>& state);
   /// The end: last records and fields, expectations, summary.json and status.json.

@@ -148,10 +148,12 @@ struct Recorder<Dim>::Parts {
   StateSurvey<Dim> survey;
   double cell_steps_before = 0;  // of the runs that this one continues; on rank 0
   bool stopped = false;
+  std::int64_t unstable_steps = 0;  // longer than a stable one
   Due history_due, fields_due;
   std::vector<PairSample> pairs;
   std::vector<bool> failure_told;  // by body: its first failure is known
   double history_last = -1, started = 0, status_last = 0, dt = 0;
+  double started_at = 0;  // s, of the state: after a resume that of the checkpoint
   std::size_t events_written = 0;
 
   Parts(const config::Case& c, const State<Dim>& state, const parallel::World& w, std::filesystem::path d,
@@ -274,13 +276,18 @@ struct Recorder<Dim>::Parts {
     fields_due.done(state.time);
   }
 
+  /// The first or the next life of the run begins.
+  void start(const State<Dim>& state) { started = wall_clock(), started_at = state.time; }
+  /// s of wall time since then.
+  double worked() const { return wall_clock() - started; }
+  bool status_is_due(double every) const { return wall_clock() - status_last > every; }
+
   void save_status(const State<Dim>& state, const std::string& what) {
-    const double now = wall_clock(), wall = now - started;
-    const double done = case_.time.end > 0 ? state.time / case_.time.end : 1;
-    status_last = now;
+    const double wall = worked(), end = case_.time.end, done = state.time - started_at;
+    status_last = wall_clock();
     write_status(directory / "status.json",
-                 {what, state.time, case_.time.end, dt, state.step, wall,
-                  done > 0 ? wall * std::max(0.0, 1 - done) / done : 0, budget.worst()});
+                 {what, state.time, end, dt, state.step, wall,
+                  done > 0 ? wall * std::max(0.0, end - state.time) / done : 0, budget.worst()});
   }
 
   void flush() {
@@ -297,6 +304,7 @@ struct Recorder<Dim>::Parts {
     world.sum(counts);
     std::vector<std::pair<std::string, std::int64_t>> floors;
     for (const auto& [name, count] : all.list()) floors.emplace_back(name, counts[floors.size()]);
+    floors.emplace_back("unstable-steps", unstable_steps);
     return floors;
   }
 
@@ -323,6 +331,7 @@ struct Recorder<Dim>::Parts {
       survey.look(state, team);
       const auto recent = survey.recent(state, world);
       e.recent_averaged = recent.averaged, e.recent_cell_steps = recent.cell_steps;
+      e.steps = state.step, e.unstable_steps = unstable_steps;
     }
     const Verdict verdict = judge(e, case_.limits);
     stopped = world.any(verdict.kind == Verdict::Kind::stopped);
@@ -339,6 +348,7 @@ struct Recorder<Dim>::Parts {
     Evidence e = evidence_of(survey.evidence(state, facts.averaged, world));
     e.recent_averaged = recent.averaged, e.recent_cell_steps = recent.cell_steps;
     e.counters = s.floors;
+    e.steps = state.step, e.unstable_steps = unstable_steps;
     return e;
   }
 

@@ -64,6 +64,8 @@ constexpr std::array<StateText, state_checks> state_texts{
 struct Cure {
   const char *what, *text;
 };
+constexpr const char* unstable_cure =
+    "a shorter time.fixed-dt; without it the step follows the state (time.cfl)";
 constexpr std::array cures{Cure{"tension",
                                 "matter breaks if its material has damage (`recoil explain "
                                 "'material.*.damage'`; `recoil new spall` writes an "
@@ -71,9 +73,10 @@ constexpr std::array cures{Cure{"tension",
                            Cure{"melting",
                                 "a strength model that melts: Johnson-Cook with temperature = \"energy\" in "
                                 "[material.*.thermal], or Steinberg-Guinan"},
-                           Cure{"thickness", "a finer mesh.finest"}};
+                           Cure{"thickness", "a finer mesh.finest"}, Cure{"unstable-steps", unstable_cure},
+                           Cure{"unstable-steps-stop", unstable_cure}};
 
-std::string percent(double part) { return fmt::format("{:.2g} %", 100 * part); }
+std::string percent(double part) { return fmt::format("{:.{}g} %", 100 * part, part >= 0.995 ? 3 : 2); }
 
 std::string place_text(const std::array<double, 3>& at, int dimensions) {
   std::string text;
@@ -119,6 +122,27 @@ void judge_averages(const Evidence& e, const config::Limits& limits, Verdict& v)
                          unknown,
                          {},
                          true});
+}
+
+/// Noise grows from step to step, so a small part of the steps is enough to spoil a run.
+void judge_steps(const Evidence& e, const config::Limits& limits, Verdict& v) {
+  const double part =
+      part_of(static_cast<double>(e.unstable_steps), static_cast<double>(std::max<std::int64_t>(e.steps, 1)));
+  if (!(part > limits.unstable_steps)) return;
+  const bool stops = part > limits.unstable_steps_stop;
+  const double limit = stops ? limits.unstable_steps_stop : limits.unstable_steps;
+  v.reasons.push_back(
+      {stops ? "unstable-steps-stop" : "unstable-steps",
+       "",
+       fmt::format("{} of {} steps were longer than a stable one (unstable-steps, {}; the limit is "
+                   "{}): noise grows in each of them",
+                   e.unstable_steps, e.steps, percent(part), percent(limit)),
+       part,
+       limit,
+       unknown,
+       unknown,
+       {},
+       stops});
 }
 
 void judge_counters(const Evidence& e, const config::Limits& limits, Verdict& v) {
@@ -228,6 +252,7 @@ Verdict judge(const Evidence& e, const config::Limits& limits) {
                          unknown,
                          {},
                          true});
+  judge_steps(e, limits, v);
   judge_averages(e, limits, v);
   judge_budgets(e, limits, v);
   judge_states(e, limits, v);

@@ -57,9 +57,10 @@ struct Evidence {
   std::vector<BodyEvidence> bodies;
   std::vector<std::pair<std::string, std::int64_t>> counters;
   std::vector<Drift> budgets;
-  std::int64_t recent_averaged = 0;  ///< in the last 100 steps
-  double recent_cell_steps = 0;      ///< of 100 steps with the present cells
-  std::string failure;               ///< the error that ended the run; empty: none
+  std::int64_t recent_averaged = 0;            ///< in the last 100 steps
+  double recent_cell_steps = 0;                ///< of 100 steps with the present cells
+  std::int64_t steps = 0, unstable_steps = 0;  ///< the latter longer than a stable one
+  std::string failure;                         ///< the error that ended the run; empty: none
 };
 
 struct Reason {

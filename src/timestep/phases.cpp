@@ -114,6 +114,7 @@ double choose_length(StepRun<Dim>& step, const Stepping& stepping, double until)
   if (!(stable > shortest_step))
     throw PhysicsError(
         fmt::format("the time step collapsed to {:.3g} s at {:.6g} us", stable, state.time * 1e6));
+  step.engine().unstable = dt * signal > largest_stable_cfl(stepping.stages);
   return dt;
 }
 

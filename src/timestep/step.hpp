@@ -43,6 +43,10 @@ inline double sound_in_step(int dim, StepStages stages) {
                                    : std::sqrt(static_cast<double>(dim));
 }
 
+/// The CFL number from which on noise grows: 1.435 for linear sound in three stages, 1 in one
+/// (docs/decisions/0036, tools/stable_cfl).
+inline double largest_stable_cfl(StepStages stages) { return stages == StepStages::one ? 1.0 : 1.4; }
+
 /// What drives the steps of a run.
 struct Stepping {
   double cfl = 0.9;                // of min dx/(sum_d |u_d| + sound_in_step c_L)
@@ -57,6 +61,7 @@ struct Engine {
   parallel::Team& team;
   Timers<StepPhase> timers;
   AveragedStates averaged{};  // so far, by body
+  bool unstable = false;      // noise has grown in the last step: it was longer than a stable one
   // A step is shared by threads if each gets as much work, in cells without a surface. With less, two take as
   // long as one (340 to 1700 cells in 1-D), and several times as long where other programs run.
   std::size_t least_work = 1000;

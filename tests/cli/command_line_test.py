@@ -305,6 +305,14 @@ class Run(Program):
         summary = json.loads((self.folder / "out" / "summary.json").read_text())
         self.assertEqual((summary["verdict"], summary["reasons"][0]["what"]), ("stopped", "error"))
 
+    def test_a_fixed_step_that_is_unstable_stops_the_run(self):
+        result = self.run_coarse("--set", "time.fixed-dt=45 ns", "--set", "time.end=20 us")  # 1.8 times the stable step
+        self.expect(result, 3, "a step of 45 ns is unstable")
+        summary = json.loads((self.folder / "out" / "summary.json").read_text())
+        self.assertEqual(summary["verdict"], "stopped")
+        self.assertLess(summary["time_us"], 20)
+        self.assertIn("unstable-steps-stop", [reason["what"] for reason in summary["reasons"]])
+
     def test_bad_input_leaves_no_folder(self):
         self.expect(self.run_coarse("--set", "body.flyer.material=coper/seed"), 2, "copper/seed")
         self.assertFalse((self.folder / "out").exists())

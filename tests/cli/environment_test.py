@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import unittest
 
-from program import COARSE, Program, recoil
+from program import COARSE, FLYER, PROGRAM, Program, recoil
 
 
 def limited(kind, size):
@@ -79,6 +79,15 @@ class Environment(Program):
         else:
             closed.chmod(0o500)
         self.expect(recoil("run", self.case(), "-o", closed / "out", *COARSE), 4, str(closed))
+        picture = closed / "start.png"
+        self.expect(recoil("check", self.case(), "--png", picture), 4, f"cannot write '{picture}'")
+
+    def test_output_that_cannot_be_written(self):
+        for words in (["schema"], ["check", str(FLYER)], ["material", "list"]):
+            with self.subTest(words), open("/dev/full", "w") as full:
+                done = subprocess.run([PROGRAM, *words], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+                self.assertEqual(done.returncode, 4, done.stderr)
+                self.assertIn("No space left on device", done.stderr)
 
     def test_less_memory_than_the_case_needs(self):
         case = self.case(('finest = "0.05 mm"', 'finest = "0.001 um"'))

@@ -19,9 +19,52 @@ class Plot(Program):
             png.unlink()
         self.expect(recoil("plot", out, "gauge.raer"), 2, "did you mean 'rear'?")
         self.expect(recoil("plot", out, "presure"), 2, "pressure")
+        for other in (self.folder / "nowhere", self.folder):
+            self.expect(recoil("plot", out, "gauge.rear", "--with", other), 2, "there is no", str(other))
         self.expect(recoil("plot", out, "gauge.rear", "speed"), 2, "velocity")
         self.expect(recoil("plot", self.folder / "nowhere", "pressure"), 2, "no folder")
         self.expect(recoil("plot", out, "pressure", "--at", "60 us"), 2, "beyond the end of the run", "last fields")
+
+    def test_a_column_without_numbers_is_no_picture(self):
+        self.expect(self.run_coarse("--end", "0.1us"), 0)
+        (self.folder / "out" / "gauges" / "none.csv").write_text("time [us],depth [mm],width [mm]\n0,nan,1\n1,nan,1\n")
+        file = self.folder / "picture.png"
+        self.expect(recoil("plot", self.folder / "out", "gauge.none", "-o", file), 2, "there is no number in 'depth", "width")
+        self.assertFalse(file.exists())
+        self.expect(recoil("plot", self.folder / "out", "gauge.none", "width", "-o", file), 0)
+
+    def test_round_off_does_not_look_like_physics(self):
+        case = self.folder / "flight.toml"
+        case.write_text("""
+format = 1
+domain = { geometry = "planar", x = ["-5 mm", "7 mm"], y = ["-5 mm", "7 mm"] }
+mesh.finest = "0.5 mm"
+time.end = "2 us"
+output.history.every = "0.1 us"
+[body.square]
+material = "copper/ofhc-johnson-cook"
+shape = { kind = "box", x = ["-4 mm", "4 mm"], y = ["-4 mm", "4 mm"], rotation = "20 deg" }
+velocity = { x = "240 m/s", y = "180 m/s" }
+[gauge.middle]
+kind = "point"
+body = "square"
+at = { x = "0 mm", y = "0 mm" }
+follows = true
+[output.fields]
+every = "1 us"
+""")
+        self.expect(recoil("run", case, "-o", self.folder / "out", "-j", "1"), 0)
+
+        def text(*words):
+            file = self.folder / "picture.svg"
+            self.expect(recoil("plot", self.folder / "out", *words, "-o", file), 0)
+            return file
+
+        noted = [text("pressure").read_bytes(), text("stress.xx", "--along", "-3mm,0mm:3mm,0mm").read_bytes()]
+        # Text is drawn as glyphs: the picture with the label that says so differs from the one with limits.
+        self.assertNotEqual(noted[0], text("pressure", "--min", "-2e-8", "--max", "2e-8").read_bytes())
+        self.assertGreater(len(noted[0]), len(text("pressure", "--min", "-1", "--max", "1").read_bytes()))
+        self.assertNotEqual(noted[1], text("stress.xx", "--along", "-3mm,0mm:3mm,0mm", "--min", "-1", "--max", "1").read_bytes())
 
     def test_plots_in_three_formats(self):
         self.expect(self.run_coarse(), 0)

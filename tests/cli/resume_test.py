@@ -11,6 +11,7 @@ import json
 import os
 import pathlib
 import random
+import re
 import signal
 import subprocess
 import tempfile
@@ -116,7 +117,7 @@ class Resume(unittest.TestCase):
 
     def finish(self, run, *words):
         result = recoil("resume", run, "--plain", *words)
-        if result.returncode == 2 and "holds no checkpoint" in result.stderr:  # killed before the first one
+        if result.returncode == 2 and "holds no " in result.stderr:  # killed before the first one
             result = recoil("run", self.case, "-o", run, "--plain", "--force", *words)
         self.expect(result, self.exit)
 
@@ -176,7 +177,7 @@ class Resume(unittest.TestCase):
         self.same(run)
 
     def test_asked_to_stop(self):
-        for request in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1):
+        for request in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGHUP):
             run = self.folder / request.name
             process = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -188,6 +189,23 @@ class Resume(unittest.TestCase):
             self.expect(recoil("run", self.case, "-o", run), 2, "interrupted run", "recoil resume")
             self.finish(run)
             self.same(run)
+
+    def test_a_pipe_without_a_reader_and_nohup(self):
+        run = self.folder / "pipe"
+        with subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "-j", "1"], stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, text=True) as process:
+            self.assertIn("two blocks", process.stdout.readline())
+            process.stdout.close()
+        self.assertEqual(process.returncode, self.exit)
+        self.same(run)
+        self.assertIn("verdict", (run / "run.log").read_text())
+        run = self.folder / "nohup"
+        with subprocess.Popen(["nohup", PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            time.sleep(0.5 * self.duration)
+            process.send_signal(signal.SIGHUP)
+        self.assertEqual(process.returncode, self.exit)
+        self.same(run)
 
     def test_a_longer_run_and_what_may_not_change(self):
         run = self.folder / "longer"
@@ -211,7 +229,7 @@ class Resume(unittest.TestCase):
             files[-1].write_bytes(damage)
             self.expect(recoil("resume", run, "--to", "2us"), 2, text, "--from")
         self.expect(recoil("resume", run, "--to", "2us", "--from", files[-2].name), 0)
-        self.expect(recoil("resume", self.folder / "nowhere"), 2, "no checkpoint")
+        self.expect(recoil("resume", self.folder / "nowhere"), 2, "no folder")
         self.expect(recoil("resume", run, "--to", "1us"), 2, "the run would end at 1 us", "--to a later")
 
     def test_a_folder_belongs_to_one_run(self):
@@ -223,7 +241,27 @@ class Resume(unittest.TestCase):
         self.expect(recoil("status", run), 0, "running")
         first.kill()
         first.wait()
-        self.expect(recoil("status", run), 0, "interrupted", "recoil resume")
+        said = recoil("status", run)
+        self.expect(said, 0, "interrupted (killed) beyond", "recoil resume")
+        # It knows within a tenth of the time how far the run was, and the checkpoint by its name and time.
+        reached = re.search(r"beyond ([0-9.e+-]+) of 6 us, step (\d+)", said.stdout)
+        self.assertGreater(int(reached[2]), 0, said.stdout)
+        saved = sorted((run / "checkpoints").glob("*.h5"))[-1]
+        at = float(re.search(saved.name + " at ([0-9.e+-]+) us", said.stdout)[1])
+        self.assertGreater(at, 0.2)
+        self.assertGreater(float(reached[1]), 0.7 * at)
+
+    def test_status_of_a_run_without_a_checkpoint(self):
+        run = self.folder / "no_checkpoint"
+        case = self.folder / "no_checkpoint.toml"
+        case.write_text(CASE.split("[output.checkpoint]", maxsplit=1)[0])
+        words = [PROGRAM, "run", str(case), "-o", str(run), "--plain", "-j", "1"]
+        with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            time.sleep(0.5 * self.duration)
+            process.kill()
+        self.expect(recoil("status", run), 0, "interrupted (killed) beyond", "left no checkpoint")
+        (run / "status.json").unlink()
+        self.expect(recoil("status", run), 0, "interrupted before its first step")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Commands around a case: new, cite, doctor, completion. Environment: see program.py."""
+"""Commands around a case: new, cite, doctor, completion; what is missing in them. Environment: see program.py."""
 
 import os
 import pathlib
@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from program import DATA, Program, recoil
+from program import DATA, FLYER, Program, recoil
 
 TEMPLATES = sorted(p.stem for p in (DATA / "templates").glob("*.toml"))
 # Coarse and short: that they run, not what they find.
@@ -27,6 +27,25 @@ QUICK = {
 
 
 class Start(Program):
+    def test_what_is_missing_is_named_as_the_help_names_it(self):
+        for words, missing, cure in (
+            ([], "a command is missing", "the commands are: new, run, resume"),
+            (["material"], "a command is missing", "list, show"),
+            (["run"], "CASE is missing (case file, or its folder)", "`recoil run --help`"),
+            (["plot"], "DIR is missing (folder of the run)", "`recoil plot --help`"),
+            (["material", "show"], "MATERIAL is missing", "`recoil material show --help`"),
+            (["study", FLYER], "--mesh is missing (cell sizes", "`recoil study --help`"),
+            (["material", "list", "copper"], "copper", "`recoil material list --help`"),
+        ):
+            with self.subTest(words):
+                self.expect(recoil(*words), 2, missing, cure)
+
+    def test_a_run_that_cannot_go_on_says_why(self):
+        self.expect(recoil("resume", self.folder / "nowhere"), 2, "there is no folder")
+        self.expect(recoil("resume", self.folder), 2, "holds no run")
+        self.expect(self.run_coarse("--end", "0.1us"), 0)
+        self.expect(recoil("resume", self.folder / "out"), 2, "has ended, and has left no checkpoint")
+
     def test_every_template_passes_the_check(self):
         self.assertGreater(len(TEMPLATES), 5)
         listed = recoil("new", "--list").stdout

@@ -84,6 +84,12 @@ class Verify(Program):
         self.assertEqual([row["pass"] for row in rows], ["true", "true"])
         self.assertEqual(json.loads((out / "verify.json").read_text())["references"], 1)
 
+    def test_folders_with_the_names_of_shipped_cases_are_not_meant(self):
+        mine = self.folder / "flyer_al_cu"
+        mine.mkdir()
+        (mine / "case.toml").write_text("format = 1\n")
+        self.expect(recoil("verify", "--list", cwd=self.folder), 0, " flyer_al_cu ", "attenuation_al_450")
+
     def test_a_failure_is_exit_5_and_runs_are_used_again(self):
         out = self.folder / "out"
         case = self.expecting("-6 GPa")

@@ -126,6 +126,9 @@ ERRORS = [
     ([('"aluminium/6061-t6"', '""')], "the material has no name", 11, 12, "material list"),
     (['[expect]\n"gauge.rear.velocity.max" = { value = "1 us", within = "1 %" }'],
      "'gauge.rear.velocity.max' is of [velocity], but the expected value is of [time]", 22, 1, "give it in m/s"),
+    (['[expect]\n"foo" = true'], "there is no quantity 'foo'", 22, 1, "quantities begin with body., budget., contact."),
+    (['[expect]\n"gaugee.rear.velocity.max" = { at-least = "1 m/s" }'], "there is no quantity 'gaugee.rear.velocity.max'", 22, 1,
+     "did you mean 'gauge'?"),
     (['[expect]\n"gauge.rear.velosity.max" = { at-least = "1 m/s" }'], "gauge 'rear' has no column 'velosity'", 22, 1,
      "did you mean 'velocity'?"),
     (['[expect]\n"gauge.rear.velocity" = { at-least = "1 m/s" }'], "does not say which value of the record", 22, 1, ".max"),
@@ -147,6 +150,8 @@ ERRORS = [
 # The same of warnings, which leave the case fit to run. A place of None: not checked.
 WARNINGS = [
     (FLYER, [('"450 m/s"', '"-450 m/s"')], "'flyer' and 'target' fly apart", 13, "turn the velocity round"),
+    (PLANE, [('"1 km/s"', '"-1 km/s"'), ('y = ["-10 mm", "10 mm"]', 'y = ["0 mm", "10 mm"]\nboundary = { y = ["symmetry", "outflow"] }')],
+     "'ball' and 'target' fly apart", 14, "turn the velocity round"),
     (FLYER, [('"15 mm"] }', '"20 mm"] }'), ('at = { x = "15 mm" }', 'at = { x = "0 mm" }')],
      "'target' is cut off at the high end of x, an outflow edge: 2 mm", 16, "20 mm"),
     (FLYER, [USES_MINE, MINE % ("strength", 'a = "6 GPa"')], "yield stress 6 GPa is implausible", 25, "no metal exceeds about 5 GPa"),

@@ -156,6 +156,14 @@ class Results(Scratch):
                 call(self.run_)
             self.assertIn(wanted, str(caught.exception))
 
+    def test_a_file_that_is_no_table(self):
+        (self.folder / "note.txt").write_text("a, b\n1, 2\n1, 2, 3, 4\n")
+        with self.assertRaisesRegex(recoil.InputError, "note.txt is not a table"):
+            recoil.read_table("note.txt")
+
+    def test_its_own_tables_are_no_references(self):
+        self.assertNotIn("quantities.csv", self.run_.references)
+
     def test_folders_that_hold_no_run(self):
         for folder, wanted in (("nowhere", "there is no folder nowhere"), (".", "it has no case.resolved.toml")):
             with self.assertRaisesRegex(recoil.InputError, wanted):

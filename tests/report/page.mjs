@@ -238,3 +238,15 @@ test("loads and draws at once", async (t) => {
   assert.ok(median < 500, `${median} ms`);
   await page.close();
 });
+
+test("round-off does not look like physics", async () => {
+  const { page, complaints } = await opened(facts.flight.page);
+  await slide(page, 2);
+  await waitShown(page, "0 2 pressure");
+  assert.match(await page.locator(FIELD).getAttribute("aria-label"), /^pressure \[GPa\], round-off only at/);
+  await page.locator("select").first().selectOption("velocity.x");
+  await waitShown(page, "0 2 velocity.x");
+  assert.doesNotMatch(await page.locator(FIELD).getAttribute("aria-label"), /round-off/);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});

@@ -91,6 +91,9 @@ class Report(Program):
         plane = self.run_case("flyer_axisymmetric", "axisymmetric", "mesh.finest=0.5mm", "time.end=1.5us",
                               "output.fields.every=0.1us")
         line = self.run_case("flyer_al_cu", "line", *COARSE[1:], "output.fields.every=0.2us")
+        flight = self.folder / "flight"
+        self.expect(recoil("run", DATA / "cases" / "free_flight_square", "-o", flight, "-j", 1, "--plain", "--end", "1us",
+                           "--set", "output.fields.every=0.5us"), 5)
         other = self.run_case("flyer_al_cu", "other", "mesh.finest=0.25mm", "output.report=false")
         space = self.run_case("sphere_on_plate", "space", "mesh.finest=2mm", "time.end=4us",
                               "output.fields.every=1us")
@@ -112,6 +115,7 @@ class Report(Program):
         said = recoil("report", plane, "-o", small, "--max-mb", "0.2")
         self.expect(said, 0, "dumps of the fields shown")
         self.assertLess(small.stat().st_size, 0.25e6)
+        facts["flight"] = {"page": str(flight / "report.html")}
         facts["both"] = {"page": str(both), "names": ["line", "other"]}
         facts["small"] = {"page": str(small), "omission": said.stdout.split(": ")[1].split(" shown")[0]}
         file = self.folder / "facts.json"
@@ -123,6 +127,7 @@ class Report(Program):
         self.expect(recoil("report", self.folder), 2, "is not the folder of a run")
         self.expect(recoil("report", self.folder / "nowhere"), 2, "there is no folder")
         self.expect(recoil("report", self.folder, "--max-mb", "0"), 2, "--max-mb")
+        self.expect(recoil("report", self.folder, "-o", self.folder / "page.pdf"), 2, "end its name in .html")
 
     def test_a_run_that_was_stopped_has_a_page(self):
         self.expect(self.run_coarse("--set", "time.fixed-dt=0.5 us"), 3, "what is known is in")

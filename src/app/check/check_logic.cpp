@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/check/checks.hpp"
+#include "app/check/count_text.hpp"
 #include "app/check/estimate.hpp"
 #include "app/load_case.hpp"
 #include "config/geometry.hpp"
@@ -55,13 +56,13 @@ void check_thickness(LoadedCase& loaded) {
     const double needed = plain ? cells_needed : least_cells;
     if (body.rigid) check_rigid_thickness(loaded, body, t);
     if (body.rigid || t > (needed - 1e-6) * c.mesh.finest || t < 0.999 * c.mesh.finest) continue;
-    const double cure = t / needed;
+    const double cure = rounded_down(t / needed, 3);  // so that it is enough
     const double cost = std::pow(c.mesh.finest / cure, 1 + config::dimension(c.domain.geometry));
     loaded.found.warning(body.shape.place,
                          fmt::format("'{}' is {:.3g} cells thick; about {:.0f} are needed", body.name,
                                      t / c.mesh.finest, needed),
-                         fmt::format("finest = \"{:.3g} mm\" gives {:.0f}, for {:.2g} times the time",
-                                     cure * 1e3, needed, cost));
+                         fmt::format("finest = \"{:.3g} mm\" gives {:.0f}, for {} times the time", cure * 1e3,
+                                     needed, count_text(cost, 2)));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/check/case_picture.hpp"
+#include "app/check/count_text.hpp"
 #include "app/check/estimate.hpp"
 #include "app/check/prediction.hpp"
 #include "app/command_line.hpp"
@@ -95,15 +96,15 @@ void print_report(const Report& r) {
   for (const TouchPrediction& p : r.touches) fmt::print("{}", describe(p, c));
   fmt::print("{}", scheme_note(c));
   fmt::print(
-      "cost\n  {:.3g} cells, {:.3g} of them with matter; {:.3g} steps of about {:.3g} ns\n"
+      "cost\n  {} cells, {} of them with matter; {} steps of about {:.3g} ns\n"
       "  memory {:.3g} MB, time about {} with one thread\n",
-      r.cost.cells, r.cost.material_cells, r.cost.steps, r.cost.step * 1e9, r.cost.memory * 1e-6,
-      duration(r.cost.seconds));
+      count_text(r.cost.cells), count_text(r.cost.material_cells), count_text(r.cost.steps),
+      r.cost.step * 1e9, r.cost.memory * 1e-6, duration(r.cost.seconds));
   if (c.mesh.levels > 1)
     fmt::print(
-        "  {} levels: {:.3g} cells at the start, to which memory and time apply; waves and new surfaces add "
+        "  {} levels: {} cells at the start, to which memory and time apply; waves and new surfaces add "
         "some\n",
-        c.mesh.levels, r.cost.start_cells);
+        c.mesh.levels, count_text(r.cost.start_cells));
 }
 
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(); }

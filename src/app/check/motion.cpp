@@ -92,17 +92,22 @@ void check_rigid_pair(LoadedCase& loaded, const Approach& p) {
       "only bodies with a material push others: give one of them a material, or end the run before");
 }
 
-/// Edges that bodies may come back from, or come in again.
-bool has_closed_edges(const config::Domain& domain) {
+/// Whether one of the bodies moves towards an edge that it may come back from, or come in again.
+bool may_come_back(const config::Domain& domain, const Body& a, const Body& b) {
+  const auto only_goes_along = [](const Body& body, int axis) {
+    return body.velocity[axis] == 0 && body.spin == config::Vector{} && body.radial_velocity == 0 &&
+           body.velocity_history.empty();
+  };
   for (int d = 0; d < config::dimension(domain.geometry); ++d)
     for (const config::Boundary end : domain.boundary[d])
-      if (end == config::Boundary::periodic || end == config::Boundary::symmetry) return true;
+      if ((end == config::Boundary::periodic || end == config::Boundary::symmetry) &&
+          !(only_goes_along(a, d) && only_goes_along(b, d)))
+        return true;
   return false;
 }
 
 void check_parting(LoadedCase& loaded, const std::vector<Approach>& all) {
   const Case& c = loaded.contents;
-  if (has_closed_edges(c.domain)) return;
   const auto meets = [&](int body) {
     return std::any_of(all.begin(), all.end(), [&](const Approach& p) {
       return p.meeting == Meeting::close && (p.first == body || p.second == body);
@@ -111,6 +116,7 @@ void check_parting(LoadedCase& loaded, const std::vector<Approach>& all) {
   for (const Approach& p : all) {
     if (p.meeting != Meeting::part || meets(p.first) || meets(p.second)) continue;
     const Body &a = c.bodies[p.first], &b = c.bodies[p.second];
+    if (may_come_back(c.domain, a, b)) continue;
     if (c.contact.between(a.name, b.name).mode == config::ContactChoice::Mode::bonded) continue;
     loaded.found.warning(place_of_velocity(loaded, p),
                          fmt::format("'{}' and '{}' fly apart from the start", a.name, b.name),

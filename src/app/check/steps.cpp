@@ -2,13 +2,11 @@
 
 #include "app/check/checks.hpp"
 #include "app/check/estimate.hpp"
+#include "app/run/stepping.hpp"
 
 namespace recoil::app {
 
 namespace {
-
-/// Noise grows from this multiple of dx over the fastest signal on (docs/decisions/0036).
-constexpr double largest_stable = 1.4;
 
 /// Steps that no machine gets through: at a thousand a second a day has some 1e8.
 constexpr double most_steps = 1e9;
@@ -21,7 +19,7 @@ void check_steps(LoadedCase& loaded) {
   if (!(fastest > 0)) return;
   const double crossing = c.mesh.finest / fastest;
   const double step = c.time.fixed_dt.value_or(c.time.cfl * crossing);
-  if (step > largest_stable * crossing)
+  if (step > largest_stable_cfl(stepping_of(c).stages) * crossing)
     loaded.found.warning(
         place_of(loaded, "time.fixed-dt", {c.file}),
         fmt::format("a step of {:.4g} ns is unstable: the fastest wave crosses a cell in {:.3g} ns",

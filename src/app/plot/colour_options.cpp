@@ -9,7 +9,7 @@
 
 namespace recoil::app {
 
-ColourChoice chosen_colours(const std::vector<double>& shown, const std::string& label,
+ColourChoice chosen_colours(const std::vector<double>& shown, std::string& label,
                             const std::vector<Category>& categories, bool signed_values,
                             const PlotOptions& o) {
   ColourChoice choice;
@@ -22,7 +22,9 @@ ColourChoice chosen_colours(const std::vector<double>& shown, const std::string&
   Range values;
   for (const double v : shown) values.include(v, o.log);
   choice.log = o.log;
-  choice.range = range_of(o, label, values.lo, values.hi);
+  const Spread spread = spread_of(o, label, values, RoundOff::of_dumps);
+  choice.range = shown_range(o, label, values, spread, signed_values);
+  if (spread != Spread::real) label = noted(label, spread);
   const double lo = choice.range ? choice.range->first : values.lo;
   const double hi = choice.range ? choice.range->second : values.hi;
   if (signed_values && !o.log && lo < 0 && (hi > 0 || !choice.range)) choice.map = ColourMap::diverging;
@@ -37,8 +39,8 @@ void choose_colours(FieldPicture& picture, bool signed_values, const PlotOptions
   picture.range = choice.range;
 }
 
-void hold_limits(PlotOptions& o, Range values) {
-  if (!(values.lo < values.hi)) return;
+void hold_limits(PlotOptions& o, const std::string& label, Range values) {
+  if (!(values.lo < values.hi) || spread_of(o, label, values, RoundOff::of_dumps) != Spread::real) return;
   if (o.log) values.lo = std::max(values.lo, 1e-6 * values.hi);
   if (o.lowest.empty()) o.lowest = fmt::format("{:.17g}", values.lo);
   if (o.highest.empty()) o.highest = fmt::format("{:.17g}", values.hi);

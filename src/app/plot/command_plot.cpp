@@ -1,8 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -66,7 +69,8 @@ struct Record {
   std::string what, name, column;
 };
 
-int plot_record(const PlotOptions& o, const Record& record) {
+int plot_record(PlotOptions o, const Record& record) {
+  o.round_off = round_off_of(o.folder);
   const CsvTable table = read_csv(fs::path(o.folder) / record.what);
   if (table.columns.size() < 2)
     throw InputError(fmt::format("{} has no column besides the time", table.path.string()));
@@ -81,6 +85,11 @@ int plot_record(const PlotOptions& o, const Record& record) {
   chart.y_title = column;
   if (!o.reference.empty()) chart.series.push_back(reference_curve(o.reference, over, unit));
   chart.series.push_back(curve(table, column, over, unit, label_of(o.folder, o, record.name)));
+  if (std::ranges::none_of(chart.series.back().y, [](double y) { return std::isfinite(y); }))
+    throw InputError(
+        fmt::format("there is no number in '{}' of {}\n   = help: nan means that there was nothing to "
+                    "measure; other columns: {}",
+                    column, table.path.string(), fmt::join(std::span(table.columns).subspan(1), ", ")));
   for (const std::string& other : o.others)
     chart.series.push_back(
         curve(read_csv(fs::path(other) / record.what), column, over, unit, label_of(other, o, record.name)));
@@ -91,13 +100,19 @@ int plot_record(const PlotOptions& o, const Record& record) {
   return save_chart(o, std::move(chart), record.name);
 }
 
+/// @throws InputError where a run has no gauge of that name.
+void require_gauge(const std::string& run, const std::string& file, const std::string& name) {
+  if (fs::exists(fs::path(run) / file)) return;
+  if (!fs::is_directory(run)) throw InputError(fmt::format("there is no folder {}", run));
+  const std::string near = did_you_mean(name, gauges_in(run));
+  throw InputError(
+      fmt::format("there is no gauge '{}' in {}{}{}", name, run, near.empty() ? "" : "\n   = help: ", near));
+}
+
 int plot_gauge(const PlotOptions& o, const std::string& name) {
   const std::string file = "gauges/" + name + ".csv";
-  if (!fs::exists(fs::path(o.folder) / file)) {
-    const std::string near = did_you_mean(name, gauges_in(o.folder));
-    throw InputError(fmt::format("there is no gauge '{}' in {}{}{}", name, o.folder,
-                                 near.empty() ? "" : "\n   = help: ", near));
-  }
+  require_gauge(o.folder, file, name);
+  for (const std::string& other : o.others) require_gauge(other, file, name);
   return plot_record(o, {file, name, o.what.size() > 1 ? o.what[1] : ""});
 }
 

@@ -50,8 +50,11 @@ int plot_field(const PlotOptions& o) {
                                                     : "_along"));
 }
 
-int plot_field_over_time(const PlotOptions& o) {
-  const config::Case c = load_run(o.folder).contents;
+int plot_field_over_time(const PlotOptions& given) {
+  const LoadedCase run = load_run(given.folder);
+  const config::Case& c = run.contents;
+  PlotOptions o = given;
+  o.round_off = round_off_of(run);
   if (c.domain.geometry != config::Geometry::line)
     throw InputError("--xt needs a 1d run\n   = help: omit it; --at chooses the time of a picture");
   const std::vector<ChosenDump> dumps = all_dumps(o.folder);

@@ -162,9 +162,12 @@ void choose_look(FieldPicture& picture, const PlotOptions& o) {
   if (!o.file.empty() && picture_format(o.file) != PictureFormat::png) picture.detail = 2;
 }
 
-FieldPlotter::FieldPlotter(const PlotOptions& o)
-    : options_(o), case_(load_run(o.folder).contents), slice_(slice_of(o.slice, case_.domain)) {
-  if (asks_for_view(o)) view_.emplace(o, case_);
+FieldPlotter::FieldPlotter(const PlotOptions& o) : FieldPlotter(o, load_run(o.folder)) {}
+
+FieldPlotter::FieldPlotter(const PlotOptions& o, const LoadedCase& run)
+    : options_(o), case_(run.contents), slice_(slice_of(o.slice, case_.domain)) {
+  options_.round_off = round_off_of(run);
+  if (asks_for_view(o)) view_.emplace(options_, case_);
   const bool in_space = case_.domain.geometry == config::Geometry::space;
   if (!in_space && !o.slice.empty()) throw InputError("--slice needs a 3d run\n   = help: omit it");
   if (is_line_in_space(o.along) && !in_space)
@@ -216,26 +219,30 @@ LineChart FieldPlotter::curve_in(const ChosenDump& dump, const std::string& note
 void FieldPlotter::hold_frame(const std::vector<ChosenDump>& dumps) {
   if (view_) return view_->hold_frame(dumps);
   Range values;
+  std::string label;
   if (draws_curves()) {
     for (const ChosenDump& dump : dumps) {
       if (is_line_) grow(box_, whole_plane(dump).matter);
-      for (const Series& s : curve_in(dump, "").series)
+      const LineChart chart = curve_in(dump, "");
+      label = chart.y_title;
+      for (const Series& s : chart.series)
         for (const double y : s.y) values.include(y, options_.log);
     }
-    return hold_limits(options_, values);
+    return hold_limits(options_, label, values);
   }
   std::optional<PlaneBox> box;
   for (const ChosenDump& dump : dumps) grow(box, whole_plane(dump).matter);
   box_ = box;
   for (const ChosenDump& dump : dumps) {
     const FieldPlane plane = plane_of(dump);
+    label = plane.label;
     for (const double v : plane.values.values) values.include(v, options_.log);
     for (const Category& c : plane.categories)
       if (std::ranges::find(categories_, c.value, &Category::value) == categories_.end())
         categories_.push_back(c);
   }
   std::ranges::sort(categories_, {}, &Category::value);
-  if (categories_.empty()) hold_limits(options_, values);
+  if (categories_.empty()) hold_limits(options_, label, values);
 }
 
 Canvas FieldPlotter::draw(const ChosenDump& dump) const {

@@ -43,6 +43,7 @@ class FieldPlotter {
   Canvas draw(const ChosenDump& dump) const;
 
  private:
+  FieldPlotter(const PlotOptions& options, const LoadedCase& run);
   FieldPlane whole_plane(const ChosenDump& dump) const;
   FieldPlane plane_of(const ChosenDump& dump) const;
   bool draws_curves() const { return is_line_ || !options_.along.empty(); }

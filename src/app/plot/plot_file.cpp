@@ -16,13 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The text in brackets at the end of a label.
-std::string unit_in(const std::string& label) {
-  const std::size_t open = label.rfind('[');
-  return open == std::string::npos || !label.ends_with(']') ? "1"
-                                                            : label.substr(open + 1, label.size() - open - 2);
-}
-
 /// "2", in the label's unit, or "2 GPa".
 std::optional<double> limit(const std::string& text, const std::string& unit, const char* option) {
   if (text.empty()) return std::nullopt;
@@ -67,11 +60,26 @@ std::optional<std::pair<double, double>> range_of(const PlotOptions& o, const st
   return std::pair{lowest, highest};
 }
 
-Canvas chart_canvas(const PlotOptions& o, LineChart chart) {
+Spread spread_of(const PlotOptions& o, const std::string& label, const Range& values, double digits) {
+  if (o.log || !o.lowest.empty() || !o.highest.empty()) return Spread::real;
+  return o.round_off.judge(unit_in(label), values.lo, values.hi, digits);
+}
+
+std::optional<std::pair<double, double>> shown_range(const PlotOptions& o, const std::string& label,
+                                                     const Range& values, Spread spread, bool signed_values) {
+  if (const auto honest =
+          honest_range(spread, o.round_off.in(unit_in(label)), values.lo, values.hi, signed_values))
+    return honest;
+  return range_of(o, label, values.lo, values.hi);
+}
+
+Canvas chart_canvas(const PlotOptions& o, LineChart chart, double digits) {
   Range values;
   for (const Series& s : chart.series)
     for (const double y : s.y) values.include(y, o.log);
-  chart.y_range = range_of(o, chart.y_title, values.lo, values.hi);
+  const Spread spread = spread_of(o, chart.y_title, values, digits);
+  chart.y_range = shown_range(o, chart.y_title, values, spread, false);
+  chart.y_title = noted(chart.y_title, spread);
   chart.log_y = o.log;
   if (!o.title.empty()) chart.title = o.title;
   if (o.width > 0) chart.width = o.width;
@@ -80,7 +88,7 @@ Canvas chart_canvas(const PlotOptions& o, LineChart chart) {
 }
 
 int save_chart(const PlotOptions& o, LineChart chart, const std::string& name) {
-  return save_picture(o, chart_canvas(o, std::move(chart)), name);
+  return save_picture(o, chart_canvas(o, std::move(chart), RoundOff::of_tables), name);
 }
 
 int save_picture(const PlotOptions& o, const Canvas& canvas, const std::string& name) {

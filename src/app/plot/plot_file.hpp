@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "app/commands.hpp"
+#include "app/plot/round_off.hpp"
+#include "picture/axis.hpp"
 #include "picture/line_chart.hpp"
 
 namespace recoil::app {
@@ -27,10 +29,18 @@ Limits limits_of(const PlotOptions& options, const std::string& label);
 std::optional<std::pair<double, double>> range_of(const PlotOptions& options, const std::string& label,
                                                   double lowest_value, double highest_value);
 
-/// The chart with the options' title, size, limits and scale.
-Canvas chart_canvas(const PlotOptions& options, LineChart chart);
+/// What values in the unit of `label` are; real ones where the options name limits or a logarithmic scale.
+/// @param digits as in RoundOff::judge.
+Spread spread_of(const PlotOptions& options, const std::string& label, const Range& values, double digits);
 
-/// Writes that chart. @param name of the file
+/// The range of values for people: where they are noise, none that would make it look like physics.
+std::optional<std::pair<double, double>> shown_range(const PlotOptions& options, const std::string& label,
+                                                     const Range& values, Spread spread, bool signed_values);
+
+/// The chart with the options' title, size, limits and scale.
+Canvas chart_canvas(const PlotOptions& options, LineChart chart, double digits = RoundOff::of_dumps);
+
+/// Writes that chart of numbers in tables. @param name of the file
 /// without suffix in the folder of the run, where the options name none. @returns the exit code.
 int save_chart(const PlotOptions& options, LineChart chart, const std::string& name);
 

@@ -147,8 +147,10 @@ void SpacePlotter::hold_frame(const std::vector<ChosenDump>& dumps) {
     window_ = window_ ? joined(*window_, own) : own;
   }
   Range values;
+  std::string label;
   for (const ChosenDump& dump : dumps) {
     const Frame frame = frame_of(dump);
+    label = frame.field.label();
     for (const Category& c : frame.field.categories())
       if (std::ranges::find(categories_, c.value, &Category::value) == categories_.end())
         categories_.push_back(c);
@@ -159,7 +161,7 @@ void SpacePlotter::hold_frame(const std::vector<ChosenDump>& dumps) {
     for (const double v : rays.values()) values.include(v, options_.log);
   }
   std::ranges::sort(categories_, {}, &Category::value);
-  if (categories_.empty()) hold_limits(options_, values);
+  if (categories_.empty()) hold_limits(options_, label, values);
 }
 
 Canvas SpacePlotter::draw(const ChosenDump& dump) const {
@@ -170,9 +172,8 @@ Canvas SpacePlotter::draw(const ChosenDump& dump) const {
   const SpaceRays rays = completed(frame, [&](const Scene& s) { return rays_of(p, s); });
   const std::vector<double> values = rays.values();
   const std::vector<Category>& names = categories_.empty() ? frame.field.categories() : categories_;
-  return space_picture(
-      p, rays,
-      colours_of(values, chosen_colours(values, p.label, names, frame.field.signed_values(), options_)));
+  const ColourChoice choice = chosen_colours(values, p.label, names, frame.field.signed_values(), options_);
+  return space_picture(p, rays, colours_of(values, choice));
 }
 
 }  // namespace recoil::app

@@ -20,6 +20,11 @@ int report(const ReportOptions& o) {
     if (!fs::is_directory(run)) throw InputError(fmt::format("there is no folder {}", run.string()));
   fs::path file = o.file;
   if (file.empty()) file = runs.size() == 1 ? runs.front() / "report.html" : fs::path("report.html");
+  if (const std::string suffix = file.extension().string(); suffix != ".html" && suffix != ".htm")
+    throw InputError(
+        fmt::format("a report cannot be written as '{}': it is a page for the browser\n   = help: end its "
+                    "name in .html; browsers print it as a PDF",
+                    file.filename().string()));
   const WrittenReport written = write_report(file, runs, o.most_mb);
   fmt::print("{}  {:.2f} MB\n", file.string(), static_cast<double>(written.bytes) * 1e-6);
   for (const std::string& line : written.omissions)

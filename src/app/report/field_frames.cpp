@@ -79,8 +79,8 @@ std::size_t FieldFrames::Frame::size() const {
   return n;
 }
 
-FieldFrames::FieldFrames(const std::filesystem::path& run, const config::Case& c, double most)
-    : units_(run_units(c.domain.geometry)) {
+FieldFrames::FieldFrames(const std::filesystem::path& run, const LoadedCase& loaded, double most)
+    : units_(run_units(loaded.contents.domain.geometry)), round_off_(round_off_of(loaded)) {
   std::vector<ChosenDump> dumps;
   try {
     dumps = all_dumps(run);
@@ -88,7 +88,7 @@ FieldFrames::FieldFrames(const std::filesystem::path& run, const config::Case& c
     return;  // a run without fields
   }
   dumps_ = dumps.size();
-  add_planes(c);
+  add_planes(loaded.contents);
   choose_detail(dumps, most);
   const std::size_t every = 1 + (dumps.size() - 1) / most_frames;
   for (std::size_t k = 0; k < dumps.size(); ++k)
@@ -199,6 +199,7 @@ Json FieldFrames::variable(const FieldScalar& s) const {
   Json j = {{"name", s.name},
             {"label", s.name == "contact-state" ? "contact" : s.label},
             {"signed", s.signed_values},
+            {"round_off", round_off_.in(unit_in(s.label))},
             {"range", {number(e.lowest), number(e.highest)}},
             {"typical", {number(e.low), number(e.high)}}};
   for (const Category& c : categories_of(s.name, bodies_, e.values))

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "app/load_case.hpp"
+#include "app/plot/round_off.hpp"
 #include "app/report/page_data.hpp"
 #include "config/case.hpp"
 #include "format/vtkhdf.hpp"
@@ -31,7 +33,7 @@ class FieldFrames {
  public:
   /// Reads the dumps of a run; one without dumps has no frames. Where they would take more than `most`
   /// characters, values are stored in 8 bits instead of 12, and then frames are left out.
-  FieldFrames(const std::filesystem::path& run, const config::Case& c, double most);
+  FieldFrames(const std::filesystem::path& run, const LoadedCase& loaded, double most);
 
   /// Adds them to a page. @returns their JSON; null where there are none.
   Json write(Blocks& blocks) const;
@@ -68,6 +70,7 @@ class FieldFrames {
   void thin_out(double most);
 
   RunUnits units_;
+  RoundOff round_off_;
   int bits_ = 12;
   std::size_t dumps_ = 0;
   std::vector<Plane> planes_;

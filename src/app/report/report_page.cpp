@@ -85,7 +85,7 @@ WrittenReport write_report(const fs::path& file, const std::vector<fs::path>& ru
         0.0, most * static_cast<double>(j["runs"].size() + 1) / static_cast<double>(runs.size()) - taken);
     const SurfaceFrames surfaces(run, loaded.contents, left / 3);
     one["surfaces"] = surfaces.write(blocks);
-    const FieldFrames fields(run, loaded.contents, left - static_cast<double>(surfaces.size()));
+    const FieldFrames fields(run, loaded, left - static_cast<double>(surfaces.size()));
     one["fields"] = fields.write(blocks);
     if (!fields.omission().empty())
       written.omissions.push_back(fmt::format("{}: {} shown", run.string(), fields.omission()));

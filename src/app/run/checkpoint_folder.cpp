@@ -1,6 +1,7 @@
 #include "app/run/checkpoint_folder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -96,6 +97,21 @@ std::vector<std::string> changed_keys(const CheckpointText& then, const Checkpoi
   for (const auto& [key, value] : now.keys)
     if (!may_change(key) && !then.keys.contains(key)) changed.push_back(key);
   return changed;
+}
+
+std::string refusal(const CheckpointText& then, const CheckpointText& now) {
+  const std::vector<std::string> changed = changed_keys(then, now);
+  if (changed.empty()) return "";
+  const std::string help =
+      then.version == now.version
+          ? "time.end, output, gauges and expectations may change; for the rest start a new run"
+          : fmt::format(
+                "the checkpoint is of recoil {}, this is {}, which may have other keys or defaults: go on "
+                "with "
+                "that one, or start a new run",
+                then.version, now.version);
+  return fmt::format("error: a run cannot go on with other values of {}\n   = help: {}",
+                     fmt::join(changed, ", "), help);
 }
 
 }  // namespace recoil::app

@@ -35,5 +35,7 @@ void remove_old_checkpoints(const std::filesystem::path& run, int keep);
 /// The keys of a case that differ from those that a checkpoint was made with although a run cannot go on with
 /// other values: all but the end of the run, its outputs, gauges and expectations, and its title.
 std::vector<std::string> changed_keys(const CheckpointText& then, const CheckpointText& now);
+/// Why a run cannot go on from a checkpoint, and what helps; empty: it can.
+std::string refusal(const CheckpointText& then, const CheckpointText& now);
 
 }  // namespace recoil::app

@@ -1,16 +1,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <fmt/ranges.h>
 #include <algorithm>
 
-#include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
@@ -188,7 +183,17 @@ std::filesystem::path find_checkpoint(const ResumeOptions& options) {
     if (std::filesystem::exists(inside)) return inside;
     throw InputError(fmt::format("error: there is no checkpoint '{}'", options.from));
   }
+  if (!std::filesystem::is_directory(options.folder))
+    throw InputError(fmt::format("error: there is no folder {}", options.folder));
   const auto all = checkpoints_of(options.folder);
+  if (all.empty() && !std::filesystem::exists(std::filesystem::path(options.folder) / "case.resolved.toml"))
+    throw InputError(fmt::format("error: {} holds no run", options.folder));
+  if (all.empty() && std::filesystem::exists(std::filesystem::path(options.folder) / "summary.json"))
+    throw InputError(fmt::format(
+        "error: the run in {} has ended, and has left no checkpoint to go on from\n   = help: "
+        "`recoil run CASE --end TIME -o DIR` runs it for longer; with [output.checkpoint] a run can go "
+        "on beyond its end",
+        options.folder));
   if (all.empty())
     throw InputError(
         fmt::format("error: {} holds no checkpoint to go on from\n   = help: a run leaves them with "
@@ -225,40 +230,14 @@ int resume(const ResumeOptions& options) {
   LoadedCase loaded =
       load_case((simulation.folder / "case.toml").string(), simulation.overrides, then.case_file);
   loaded.found.throw_if_errors();
-  const std::vector<std::string> changed = changed_keys(then, describe(loaded, simulation.overrides));
-  if (!changed.empty())
-    throw InputError(
-        fmt::format("error: a run cannot go on with other values of {}\n   = help: time.end, output, gauges "
-                    "and expectations may "
-                    "change; for the rest start a new run",
-                    fmt::join(changed, ", ")));
+  if (const std::string why = refusal(then, describe(loaded, simulation.overrides)); !why.empty())
+    throw InputError(why);
   if (!(then.time < loaded.contents.time.end))
     throw InputError(fmt::format(
         "error: the checkpoint is at {:.6g} us, and the run would end at {:.6g} us\n   = help: --to a later "
         "time, or --from an earlier checkpoint",
         then.time * 1e6, loaded.contents.time.end * 1e6));
   return start(options, loaded, simulation, false);
-}
-
-int status(const StatusOptions& options) {
-  const std::filesystem::path file = std::filesystem::path(options.folder) / "status.json";
-  for (;;) {
-    std::ifstream in(file);
-    if (!in) throw InputError(fmt::format("error: {} holds no run: there is no status.json", options.folder));
-    const auto j = nlohmann::json::parse(in, nullptr, false);
-    if (j.is_discarded()) throw InputError(fmt::format("error: '{}' cannot be read", file.string()));
-    std::string state = j.value("state", "unknown");
-    if (state == "running" && !RunLock::is_held(options.folder)) state = "interrupted";
-    fmt::print("{}: {} at {:.6g} of {:.6g} us, step {}, dt {:.4g} ns, {:.0f} s so far, about {:.0f} s left\n",
-               options.folder, state, j.value("time_us", 0.0), j.value("end_us", 0.0), j.value("step", 0L),
-               j.value("dt_ns", 0.0), j.value("wall_s", 0.0),
-               state == "running" ? j.value("left_s", 0.0) : 0.0);
-    std::fflush(stdout);
-    if (state == "interrupted" && !checkpoints_of(options.folder).empty())
-      fmt::print("`recoil resume {}` goes on from its last checkpoint\n", options.folder);
-    if (!options.watch || state != "running") return exit_finished;
-    std::this_thread::sleep_for(std::chrono::seconds(2));
-  }
 }
 
 }  // namespace recoil::app

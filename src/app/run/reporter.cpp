@@ -27,10 +27,11 @@ std::string bar(double part) {
          std::string(static_cast<std::size_t>(width - full), '.') + ']';
 }
 
-std::string text_of(const Progress& now, double wall, bool with_bar) {
-  const double part = now.end > 0 ? now.time / now.end : 1;
-  const double left = part > 0 ? wall * (1 - part) / part : 0;
-  const double rate = wall > 0 ? now.cells * static_cast<double>(now.step) / wall * 1e-6 : 0;
+/// @param time, step where this life of the run began, `wall` seconds ago.
+std::string text_of(const Progress& now, double time, long step, double wall, bool with_bar) {
+  const double part = now.end > 0 ? now.time / now.end : 1, done = now.time - time;
+  const double left = done > 0 ? wall * (now.end - now.time) / done : 0;
+  const double rate = wall > 0 ? now.cells * static_cast<double>(now.step - step) / wall * 1e-6 : 0;
   return fmt::format("{:8.4g} us {} {:3.0f} %  step {}  dt {:.3g} ns  {:.3g} Mcell/s  {} left",
                      now.time * 1e6, with_bar ? bar(part) : "", part * 100, now.step, now.dt * 1e9, rate,
                      duration(left));
@@ -49,9 +50,15 @@ Reporter::Reporter(Display display, bool speaks, const std::filesystem::path& lo
 
 Reporter::~Reporter() { clear(); }
 
+void Reporter::show(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  // Whoever read has gone (a closed pipe, a terminal that hung up), and the run goes on: run.log has it all.
+  if (std::freopen("/dev/null", "w", stdout) == nullptr) std::clearerr(stdout);
+  display_ = Display::none;
+}
+
 void Reporter::clear() {
-  if (line_shown_) fmt::print("\r\033[K");
-  if (line_shown_) std::fflush(stdout);
+  if (line_shown_) show("\r\033[K");
   line_shown_ = false;
 }
 
@@ -61,8 +68,7 @@ void Reporter::write(const std::string& line, bool to_terminal) {
   std::fflush(log_.get());
   if (!to_terminal) return;
   clear();
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
+  show(line + '\n');
 }
 
 void Reporter::say(const std::string& line) { write(line, display_ != Display::none); }
@@ -73,12 +79,11 @@ void Reporter::progress(const Progress& now) {
   const auto clock = Clock::now();
   const double wall = std::chrono::duration<double>(clock - start_).count();
   if (clock >= next_log_) {
-    write(text_of(now, wall, false), display_ == Display::plain);
+    write(text_of(now, begun_at_, first_step_, wall, false), display_ == Display::plain);
     next_log_ = clock + line_every;
   }
   if (display_ != Display::live || clock < next_) return;
-  fmt::print("\r\033[K{}", text_of(now, wall, true));
-  std::fflush(stdout);
+  show("\r\033[K" + text_of(now, begun_at_, first_step_, wall, true));
   line_shown_ = true;
   next_ = clock + live_every;
 }

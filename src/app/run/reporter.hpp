@@ -37,6 +37,8 @@ class Reporter {
   void say(const std::string& line);
   /// One line, also when quiet.
   void insist(const std::string& line);
+  /// Where the run begins or goes on: what it takes is counted from here.
+  void begin(double time, long step) { begun_at_ = time, first_step_ = step; }
   /// After every step; prints now and then.
   void progress(const Progress& now);
   /// Takes the live line away.
@@ -45,9 +47,12 @@ class Reporter {
  private:
   using Clock = std::chrono::steady_clock;
   void write(const std::string& line, bool to_terminal);
+  void show(const std::string& text);
 
   Display display_;
   bool speaks_, line_shown_ = false;
+  double begun_at_ = 0;  // s
+  long first_step_ = 0;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> log_;
   Clock::time_point start_, next_, next_log_;
 };

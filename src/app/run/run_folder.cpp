@@ -118,7 +118,8 @@ RunLock::RunLock(const fs::path& folder) {
 }
 
 bool RunLock::is_held(const fs::path& folder) {
-  const int file = open((folder / lock_name).c_str(), O_RDWR | O_CLOEXEC);
+  // For reading, so that those may ask who may not write there.
+  const int file = open((folder / lock_name).c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
   const bool held = flock(file, LOCK_EX | LOCK_NB) != 0;
   close(file);

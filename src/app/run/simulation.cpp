@@ -130,6 +130,7 @@ Simulation<Dim>::Simulation(const LoadedCase& loaded, const SimulationOptions& o
   }
   checkpoint_due_.done(state_.time);
   first_step_ = state_.step;
+  reporter_.begin(state_.time, state_.step);
   sent_before_ = parallel::traffic();
 }
 
@@ -163,7 +164,7 @@ void Simulation<Dim>::advance() {
   try {
     if (regrid(state_, engine_, refinement_)) recorder_->after_regrid(state_);
     dt_ = scheme_.advance(state_, stepping, case_.time.end, engine_);
-    recorder_->after_step(state_, dt_);
+    recorder_->after_step(state_, dt_, engine_.unstable);
   } catch (const PhysicsError& e) {
     fail(e);
   }

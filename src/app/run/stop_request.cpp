@@ -18,6 +18,8 @@ extern "C" void take_note(int signal) {
 
 void watch_stop_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, take_note);
+  if (std::signal(SIGHUP, take_note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool stop_requested() { return requested != 0; }

@@ -39,12 +39,13 @@ struct Work {
   double seconds = 0;  // estimated, on one processor
 };
 
-std::vector<std::string> shipped_names() {
+/// Their files: a folder of the same name where the user works is not meant.
+std::vector<std::string> shipped_files() {
   std::vector<std::string> names;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(data_folder() / "cases", error))
     if (fs::exists(entry.path() / "case.toml") && fs::exists(entry.path() / "expected.toml"))
-      names.push_back(entry.path().filename().string());
+      names.push_back((entry.path() / "case.toml").string());
   std::sort(names.begin(), names.end());
   if (names.empty())
     throw EnvironmentError(
@@ -86,7 +87,7 @@ std::vector<Work> choose(const VerifyOptions& o) {
   if (o.quick && !o.cases.empty())
     throw InputError("--quick chooses the cases itself\n   = help: omit --quick, or the names of the cases");
   std::vector<Work> all;
-  for (const std::string& word : o.cases.empty() ? shipped_names() : o.cases)
+  for (const std::string& word : o.cases.empty() ? shipped_files() : o.cases)
     all.push_back(work_of(word, o.overrides));
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -152,7 +153,7 @@ std::vector<VerifiedCase> run_all(const std::vector<Work>& work, const fs::path&
 
 int list_cases() {
   std::vector<Work> all;
-  for (const std::string& name : shipped_names()) all.push_back(work_of(name));
+  for (const std::string& file : shipped_files()) all.push_back(work_of(file));
   const std::vector<Work> quick = cheapest(all);
   for (const Work& w : all) {
     const bool is_quick =

@@ -175,8 +175,12 @@ int sweep(const SweepOptions& o) {
   try {
     return s.searches() ? find_thresholds(s) : tabulate(s);
   } catch (const InputError& e) {  // that only results could show, such as the unit of a quantity
-    throw InputError(fmt::format("{}; what has run is kept in {}, the corrected command goes on from it",
-                                 e.what(), s.folder.string()));
+    std::string text = e.what();
+    while (text.ends_with('\n')) text.pop_back();
+    if (!std::filesystem::exists(s.folder)) throw InputError(text);
+    throw InputError(
+        fmt::format("{}\n   = note: what has run is kept in {}, the corrected command goes on from it", text,
+                    s.folder.string()));
   }
 }
 

@@ -28,7 +28,7 @@ void check_ends(const TableReading& reading, const std::string& axis, const std:
   if (ends[1] == Boundary::axis || (ends[0] == Boundary::axis && !at_axis))
     reading.wrong(axis,
                   fmt::format("'axis' is only the low end of r, where r starts at 0, not an end of {}", axis),
-                  "use symmetry");
+                  at_axis ? "e.g. r = [\"axis\", \"outflow\"]" : "use symmetry");
   if (at_axis && (ends[0] == Boundary::outflow || ends[0] == Boundary::periodic))
     reading.wrong(axis, "the low end of r is the axis r = 0, nothing flows out there", "write \"axis\"");
 }

@@ -22,6 +22,8 @@ struct Limits {
   double budget = 1e-9;                // relative error
   double budget_stop = 1e-6;           // relative error
   double averaged_states_stop = 1e-2;  // part of the cells' states of the last 100 steps
+  double unstable_steps = 0;           // part of the steps
+  double unstable_steps_stop = 1e-2;   // part of the steps
 
   static constexpr const char* doc =
       "What makes a run doubtful, or stops it. Parts are of the states of all cells with matter in all "

@@ -207,6 +207,10 @@ Fragment<Dim> finished(const Part<Dim>& p, const Grid<Dim>& grid) {
   for (int d = 0; d < Dim; ++d) {
     const auto e = static_cast<std::size_t>(d);
     f.velocity[d] = p.momentum[e].value() / f.mass;
+    if (grid.periodic(d)) {  // where a piece may lie on both ends of the domain
+      f.position[d] = f.lowest[d] = f.highest[d] = std::numeric_limits<double>::quiet_NaN();
+      continue;
+    }
     f.position[d] = p.place[e].value() / f.mass;
     f.lowest[d] = p.lowest[d], f.highest[d] = p.highest[d];
     if (f.highest[d] > f.lowest[d]) continue;  // what is less than half a cell everywhere has no such ball

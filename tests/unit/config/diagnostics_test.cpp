@@ -28,6 +28,24 @@ TEST(Diagnostics, CountsCharactersNotBytesAndKeepsTabs) {
   EXPECT_EQ(d.text(), "error: m\n  --> a:1:6\n   | \té = 5\n   | \t    ^\n");
 }
 
+/// A binary file must not write to the terminal what that obeys.
+TEST(Diagnostics, ShowsNoControlCharacters) {
+  Diagnostics d;
+  d.source("a", "\x1b[31mE\xff\x80\xc3(=\xc3\xa9\x07");
+  d.error({"a", 1, 9, 1}, "m");
+  EXPECT_EQ(d.text(),
+            "error: m\n  --> a:1:9\n   | ?[31mE?"
+            "?(=\u00e9?\n   |         ^\n");
+}
+
+TEST(Diagnostics, OfLongLinesShowsWhatIsAroundTheMistake) {
+  Diagnostics d;
+  d.source("a", std::string(500, 'x') + "!" + std::string(500, 'y'));
+  d.error({"a", 1, 501, 1}, "m");
+  EXPECT_EQ(d.text(), "error: m\n  --> a:1:501\n   | \u2026" + std::string(80, 'x') + "!" +
+                          std::string(119, 'y') + "\u2026\n   | " + std::string(81, ' ') + "^\n");
+}
+
 TEST(Diagnostics, PutsMessagesInTheOrderOfTheText) {
   Diagnostics d;
   d.error({"a", 9, 1, 1}, "late");

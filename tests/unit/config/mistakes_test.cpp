@@ -171,12 +171,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "did you mean 'rear'?"},
         Mistake{22, "\"body.flyr.velocity\" = true", 22, 1, "there is no body 'flyr'",
                 "did you mean 'flyer'?"},
-        Mistake{22, "\"a\" = { value = \"1 us\" }", 22, 1, "'within' is missing", "3 %"},
-        Mistake{22, "\"a\" = { value = \"1 us\", within = \"1 mm\" }", 22, 34,
+        Mistake{22, "\"run.steps\" = { value = \"1 us\" }", 22, 1, "'within' is missing", "3 %"},
+        Mistake{22, "\"run.steps\" = { value = \"1 us\", within = \"1 mm\" }", 22, 42,
                 "'within' has dimension [length]", "percentage"},
-        Mistake{22, "\"a\" = { value = 0, within = \"1 %\" }", 22, 29, "a percentage of the value 0", ""},
-        Mistake{22, "\"a\" = { at-most = 1, value = 1 }", 22, 1, "needs one of", ""},
-        Mistake{22, "\"a\" = { valu = 1, at-most = 1 }", 22, 9, "unknown key 'valu'",
+        Mistake{22, "\"run.steps\" = { value = 0, within = \"1 %\" }", 22, 37, "a percentage of the value 0",
+                ""},
+        Mistake{22, "\"run.steps\" = { at-most = 1, value = 1 }", 22, 1, "needs one of", ""},
+        Mistake{22, "\"run.steps\" = { valu = 1, at-most = 1 }", 22, 17, "unknown key 'valu'",
                 "did you mean 'value'?"},
         Mistake{22, "\"a\" = 5", 22, 7, "needs a table, true or false", "within"}));
 

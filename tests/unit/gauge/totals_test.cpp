@@ -119,6 +119,36 @@ TEST(Totals, AngularMomentumOfABlockThatFliesAndTurns) {
   EXPECT_NEAR(norm(b.angular_momentum - exact) / norm(exact), 0, 1e-12);
 }
 
+/// Its coordinates would jump by the length of the domain where it crosses the edge.
+TEST(Totals, ABodyHasNoPlaceAlongAPeriodicAxis) {
+  const State<2> state = state_of<2>(case_from(R"(
+format = 1
+[domain]
+geometry = "planar"
+x = ["0 mm", "16 mm"]
+y = ["0 mm", "16 mm"]
+[domain.boundary]
+y = ["periodic", "periodic"]
+[mesh]
+finest = "0.5 mm"
+[time]
+end = "1 us"
+[body.rod]
+material = "none"
+shape = { kind = "box", x = ["4 mm", "9 mm"], y = ["6 mm", "12 mm"] }
+velocity = { y = "-100 m/s" }
+)"));
+  const auto t = find_totals(state, parallel::World{});
+  const auto& b = t.bodies[0];
+  EXPECT_TRUE(std::isfinite(b.place[0]));
+  EXPECT_TRUE(std::isfinite(b.lowest[0]));
+  EXPECT_TRUE(std::isnan(b.place[1]));
+  EXPECT_TRUE(std::isnan(b.lowest[1]));
+  EXPECT_TRUE(std::isnan(b.highest[1]));
+  EXPECT_TRUE(std::isnan(b.angular_momentum[2]));
+  EXPECT_TRUE(std::isfinite(b.momentum[1]));
+}
+
 TEST(Totals, DoNotDependOnThreads) {
   State<2> state = state_of<2>(case_from(ring));
   for (auto& block : state.bodies[0].blocks)

@@ -196,6 +196,14 @@ TEST(Events, TouchInTheFirstStepFollowsFromTheVelocities) {
   EXPECT_NEAR(watch.stories()[0].made, 0.4 * dt, 1e-15);
 }
 
+TEST(Events, VelocitiesNameTheirAxes) {
+  Story plane(config::Geometry::planar), ring(config::Geometry::axisymmetric);
+  plane.go(1, 1);
+  ring.go(1, 1);
+  EXPECT_EQ(plane.watch.events()[0].detail, "flyer x 10 y 0 m/s, target x 0 y 0 m/s");
+  EXPECT_EQ(ring.watch.events()[0].detail, "flyer z 0 m/s, target z 0 m/s") << "none along r";
+}
+
 TEST(Events, RicochetIsAReversal) {
   Story back;
   back.go(30, 1);  // 10 m/s forwards, 30 kg m/s backwards: -5 m/s

@@ -34,6 +34,25 @@ TEST(Validity, ARunWithNothingBeyondALimitIsValid) {
   EXPECT_TRUE(v.notes.empty());
 }
 
+TEST(Validity, StepsLongerThanAStableOneAreJudgedByTheirOwnName) {
+  Evidence e = flyer_and_target();
+  e.steps = 1000, e.unstable_steps = 3;
+  const Verdict few = judged(e);
+  EXPECT_EQ(few.kind, Verdict::Kind::doubtful);
+  ASSERT_EQ(few.reasons.size(), 1U);
+  EXPECT_EQ(few.reasons[0].what, "unstable-steps");
+  EXPECT_NE(few.reasons[0].text.find("3 of 1000 steps were longer than a stable one"), std::string::npos);
+  ASSERT_EQ(few.cures.size(), 1U);
+  EXPECT_NE(few.cures[0].find("fixed-dt"), std::string::npos);
+  e.unstable_steps = 30;
+  const Verdict many = judged(e);
+  EXPECT_EQ(many.kind, Verdict::Kind::stopped);
+  EXPECT_EQ(many.reasons[0].what, "unstable-steps-stop");
+  config::Limits none;
+  none.unstable_steps = none.unstable_steps_stop = 1;
+  EXPECT_EQ(judged(e, none).kind, Verdict::Kind::valid);
+}
+
 TEST(Validity, ReplacedStatesAreJudgedBodyByBody) {
   Evidence e = flyer_and_target();
   e.bodies[1].cell_steps = 1e9;  // a large body does not hide a small one

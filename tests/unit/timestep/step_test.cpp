@@ -258,6 +258,24 @@ TEST(Advance, KeepsToTheGivenLengthAndEnd) {
               0.5 * 0.5 * mm / (450 + longitudinal_speed(samples::aluminium())), 1e-15);
 }
 
+/// Linear sound bears a CFL number of 1.435 in three stages and of 1 in one.
+TEST(Advance, SaysWhereAStepIsLongerThanAStableOne) {
+  for (const auto& [stages, bears] : {std::pair{StepStages::three, 1.4}, {StepStages::one, 1.0}}) {
+    TestRun<1> run(flyer(0.5 * mm), {samples::aluminium(), samples::copper()});
+    run.stepping.stages = stages;
+    const double crossing = 0.5 * mm / (450 + longitudinal_speed(samples::aluminium()));
+    run.stepping.fixed_dt = 0.99 * bears * crossing;
+    advance(run.state, run.stepping, 1, run.engine);
+    EXPECT_FALSE(run.engine.unstable);
+    run.stepping.fixed_dt = 1.1 * bears * crossing;
+    advance(run.state, run.stepping, 1, run.engine);
+    EXPECT_TRUE(run.engine.unstable);
+    run.stepping.fixed_dt.reset();
+    advance(run.state, run.stepping, 1, run.engine);
+    EXPECT_FALSE(run.engine.unstable);
+  }
+}
+
 TEST(Advance, ACollapsedStepIsAnError) {
   TestRun<1> run(flyer(0.5 * mm), {samples::aluminium(), samples::copper()});
   run.stepping.cfl = 1e-12;

@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+#include "app/run/checkpoint_folder.hpp"
+#include "app/run/run_folder.hpp"
+#include "core/error.hpp"
+#include "format/block_file.hpp"
+
+namespace recoil::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where a run stood when it wrote something last.
+struct Standing {
+  std::string state;
+  double time_us = 0, end_us = 0, dt_ns = 0, wall_s = 0, left_s = 0;
+  long step = 0;
+};
+
+Standing read_status(const fs::path& file) {
+  std::ifstream in(file);
+  const auto j = nlohmann::json::parse(in, nullptr, false);
+  const auto number = [&](const char* key) {
+    return j.contains(key) && j[key].is_number() ? j[key].get<double>() : 0.0;
+  };
+  if (!j.is_object() || !j.contains("state") || !j["state"].is_string())
+    throw InputError(fmt::format("error: '{}' cannot be read", file.string()));
+  return {j["state"].get<std::string>(),
+          number("time_us"),
+          number("end_us"),
+          number("dt_ns"),
+          number("wall_s"),
+          number("left_s"),
+          static_cast<long>(number("step"))};
+}
+
+/// What the newest checkpoint is worth; nothing where there is none.
+std::string resume_text(const fs::path& folder) {
+  const auto all = checkpoints_of(folder);
+  if (all.empty()) return "it has left no checkpoint to go on from; a new run takes its place\n";
+  const fs::path& newest = all.back();
+  try {
+    const double time = checkpoint_text(BlockFile(newest).head().text).time;
+    return fmt::format("`recoil resume {}` goes on from its last checkpoint, {} at {:.6g} us\n",
+                       folder.string(), newest.filename().string(), time * 1e6);
+  } catch (const InputError& e) {
+    return fmt::format(
+        "its last checkpoint {} cannot be used ({}); `recoil resume {} --from` takes an earlier one\n",
+        newest.filename().string(), e.what(), folder.string());
+  }
+}
+
+/// A run is killed between two writes: then its last words are all that is known.
+std::string text_of(const Standing& s, const std::string& folder) {
+  const std::string where = fmt::format("{:.6g} of {:.6g} us, step {}", s.time_us, s.end_us, s.step);
+  if (s.state == "running")
+    return fmt::format("{}: running at {}, dt {:.4g} ns, {:.0f} s so far, about {:.0f} s left\n", folder,
+                       where, s.dt_ns, s.wall_s, s.left_s);
+  if (s.state == "interrupted")
+    return fmt::format("{}: interrupted (killed) beyond {}, which it had reached after {:.3g} s\n", folder,
+                       where, s.wall_s);
+  return fmt::format("{}: {} at {}, after {:.3g} s\n", folder, s.state, where, s.wall_s);
+}
+
+}  // namespace
+
+int status(const StatusOptions& options) {
+  const fs::path folder = options.folder, file = folder / "status.json";
+  for (;;) {
+    const bool held = RunLock::is_held(folder);
+    if (!fs::exists(file) && !fs::exists(folder / "case.resolved.toml"))
+      throw InputError(fmt::format("error: {} holds no run: there is no status.json", options.folder));
+    Standing s = fs::exists(file) ? read_status(file) : Standing{held ? "starting" : "interrupted"};
+    if (s.state == "running" && !held) s.state = "interrupted";
+    if (!fs::exists(file))
+      fmt::print("{}: {}\n", options.folder, held ? "starting" : "interrupted before its first step");
+    else
+      fmt::print("{}", text_of(s, options.folder));
+    if (s.state == "interrupted" || s.state == "stopped") fmt::print("{}", resume_text(folder));
+    std::fflush(stdout);
+    if (!options.watch || (s.state != "running" && s.state != "starting")) return exit_finished;
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+  }
+}
+
+}  // namespace recoil::app
