@@ -266,7 +266,8 @@ TYPED_TEST(Moves, VolumesBeyondTheirBoundsMove) {
 TYPED_TEST(Moves, VolumesJustBeyondTheirBoundsMoveButAreNotCounted) {
   auto state = this->slab(7.4);
   const auto drained = TestFixture::cell(7, 9);
-  for (const int x : {5, 6}) this->put(state, TestFixture::cell(x, 9), 0.5 * this->whole(), this->one);  // thin
+  for (const int x : {5, 6})
+    this->put(state, TestFixture::cell(x, 9), 0.5 * this->whole(), this->one);  // thin
   this->put(state, drained, -0.009 * this->whole(), this->one);
   this->run(state, [&](int s, Scratch& scratch) {
     bound_volumes(state, state.bodies[0], s, this->counters, scratch);
