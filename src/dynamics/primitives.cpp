@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -19,18 +22,19 @@ namespace recoil {
 
 namespace {
 
-// A donor is averaged where it fills more than this part of a cell and its density lies between these
-// multiples of the ends of the DensityRange (of the stages of a step only: at its start the donor's fill has
-// been judged).
+// A donor is averaged where it fills more than this part of a cell and its
+// density lies between these multiples of the ends of the DensityRange (of the
+// stages of a step only: at its start the donor's fill has been judged).
 constexpr double least_averaged = 0.1, thinnest_averaged = 0.4, densest_averaged = 1.2;
-// The mean of Runge and Kutta of a fragment that has lost more than this part of its volume in the step is
-// one of an old volume and a negative one: it lies outside of the two states.
+// The mean of Runge and Kutta of a fragment that has lost more than this part
+// of its volume in the step is one of an old volume and a negative one: it lies
+// outside of the two states.
 constexpr double least_of_old = 0.5;
 constexpr double thinnest_used = 0.4;  // likewise: a fragment below it is of no use to fits and stencils ...
 constexpr double thinnest_failed = 1e-3;  // ... unless it has failed (of rho0): then most of it may be void
-constexpr double near_front =
-    1.5;                          // [cells] from a surface of gas, where it may soon run at its escape speed
-constexpr double near_rigid = 3;  // [cells] from a rigid body, which may soon carry matter along
+constexpr double near_front = 1.5;        // [cells] from a surface of gas, where it
+                                          // may soon run at its escape speed
+constexpr double near_rigid = 3;          // [cells] from a rigid body, which may soon carry matter along
 
 template <int Dim>
 std::vector<double> point_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
@@ -46,8 +50,9 @@ std::string place_of(const State<Dim>& state, int slot, const Index<Dim>& local)
   return "(" + text + ") mm";
 }
 
-/// Stops the run: a fragment is denser than its equation of state admits, or its density is below -rho0. So
-/// far below zero it would grow in the averages over the cells around, until no sum over the body is exact.
+/// Stops the run: a fragment is denser than its equation of state admits, or
+/// its density is below -rho0. So far below zero it would grow in the averages
+/// over the cells around, until no sum over the body is exact.
 template <int Dim>
 [[noreturn]] void refuse_density(const State<Dim>& state, const Body<Dim>& body, int slot,
                                  const Index<Dim>& local, std::size_t k) {
@@ -63,7 +68,8 @@ template <int Dim>
   }
   throw StateError(
       body.name, point_of(state, slot, local),
-      fmt::format("{} has a density beyond its equation of state at {}, {:.6g} us: {:.6g} kg/m3, the largest "
+      fmt::format("{} has a density beyond its equation of state at {}, {:.6g} us: "
+                  "{:.6g} kg/m3, the largest "
                   "is {:.6g}, and none is below 0; "
                   "velocity ({}) m/s, internal energy {:.6g} J/kg, {:.3g} of a cell",
                   body.name, place_of(state, slot, local), state.time * 1e6, rho,
@@ -75,7 +81,8 @@ template <int Dim>
 [[noreturn]] void refuse_state(const State<Dim>& state, const Body<Dim>& body, int slot,
                                const Index<Dim>& local, double rho, double p) {
   throw StateError(body.name, point_of(state, slot, local),
-                   fmt::format("{} has no admissible state at {}: density {:.6g} kg/m3, pressure {:.6g} GPa",
+                   fmt::format("{} has no admissible state at {}: density "
+                               "{:.6g} kg/m3, pressure {:.6g} GPa",
                                body.name, place_of(state, slot, local), rho, p * 1e-9));
 }
 
@@ -103,57 +110,95 @@ RECOIL_MULTIVERSION void row_primitives(const EosModel& eos, std::size_t first, 
   }
 }
 
+/// What is to be done with the average of a cell.
+enum class Averaged : std::uint8_t { no, yes, kept };
+
+/// What a donor is averaged by: its volume is above `least` (by column) and
+/// above `of_old` times that at the start of the step, its density lies between
+/// `thinnest` and `densest` [kg/m3].
+struct AveragedRow {
+  const std::uint8_t* role;
+  const double *volume, *volume_old, *mass, *least;
+  double of_old, thinnest, densest;
+};
+
+/// Says it of a row of cells. The row is a copy, so that the compiler knows
+/// that it stays as it is.
+RECOIL_MULTIVERSION void find_averaged(AveragedRow row, int count, Averaged* to) {
+#pragma GCC ivdep
+  for (int c = 0; c < count; ++c) {
+    const double volume = row.volume[c], rho = row.mass[c] / volume;
+    const bool donor = (row.role[c] & donates) != 0, good = (volume > row.of_old * row.volume_old[c]) &
+                                                            (volume > row.least[c]) & (rho > row.thinnest) &
+                                                            (rho < row.densest);
+    to[c] = !donor ? Averaged::no : good ? Averaged::yes : Averaged::kept;
+  }
+}
+
+/// Runs of good donors, which go through the same loop as whole rows.
+template <int Dim, class EosModel>
+void average_donors(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
+                    Counters& counters, bool is_mean) {
+  BodyBlock<Dim>& b = body.at(slot);
+  const Grid<Dim>& grid = state.grid(slot);
+  const Index<Dim> lo = state.mesh.block(slot).cells.lo;
+  const Box<Dim> layout = grid.layout();
+  const DensityRange range = density_range(eos);
+  const double thinnest = can_fail(body.material.damage) ? thinnest_failed : thinnest_averaged * range.least;
+  Box<Dim> rows = b.reach;
+  const int width = rows.extent(0);
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  std::array<double, Window<Dim>::longest> least;
+  Index<Dim> column = rows.lo;
+  for (int c = 0; c < width; ++c, ++column[0])
+    least[static_cast<std::size_t>(c)] = least_averaged * grid.full_volume(column);
+  std::array<Averaged, Window<Dim>::longest> averaged;
+  for_each(rows, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - lo));
+    const double* volume = b.volume.data() + k;
+    find_averaged({b.role.data() + k, volume, is_mean ? b.volume_old.data() + k : volume,
+                   b.contents.data() + k, least.data(), is_mean ? least_of_old : 0.0, thinnest * eos.rho0,
+                   densest_averaged * range.most * eos.rho0},
+                  width, averaged.data());
+    for (int c = 0; c < width; ++c) {
+      const auto what = [&](int at) { return averaged[static_cast<std::size_t>(at)]; };
+      if (what(c) == Averaged::no) continue;
+      if (what(c) == Averaged::yes) {
+        const int first = c;
+        while (c + 1 < width && what(c + 1) == Averaged::yes) ++c;
+        row_primitives<Dim>(eos, k + static_cast<std::size_t>(first), static_cast<std::size_t>(c + 1 - first),
+                            b.volume.size(), b.contents.data(), b.volume.data(), b.average.data());
+        continue;
+      }
+      Index<Dim> at = i;
+      at[0] += c;
+      const bool left = !is_mean || volume[c] > least_of_old * b.volume_old[k + static_cast<std::size_t>(c)];
+      if (!std::isfinite(b.contents[k + static_cast<std::size_t>(c)] / volume[c]))
+        throw StateError(
+            body.name, point_of(state, slot, at - lo),
+            "the density of " + body.name + " is not a number at " + place_of(state, slot, at - lo));
+      if (left && volume[c] > least[static_cast<std::size_t>(c)])
+        ++counters.averages_kept;  // of the stage before
+    }
+  });
+}
+
 template <int Dim, class EosModel>
 void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
                    Counters& counters, bool is_mean) {
   BodyBlock<Dim>& b = body.at(slot);
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
-  const auto n = static_cast<std::size_t>(layout.size());
-  const DensityRange range = density_range(eos);
-  if (!b.near_surface) {
-    Box<Dim> rows = cells;
-    rows.hi[0] = rows.lo[0] + 1;
-    for_each(rows, [&](const Index<Dim>& i) {
-      row_primitives<Dim>(eos, static_cast<std::size_t>(layout.at(i - cells.lo)),
-                          static_cast<std::size_t>(cells.extent(0)), n, b.contents.data(), b.volume.data(),
-                          b.average.data());
-    });
-  } else {
-    // Runs of good donors go through the same loop as whole rows.
-    const double thinnest =
-        can_fail(body.material.damage) ? thinnest_failed : thinnest_averaged * range.least;
-    const Grid<Dim>& grid = state.grid(slot);
-    std::size_t first = 0, count = 0;
-    const auto flush = [&] {
-      if (count > 0)
-        row_primitives<Dim>(eos, first, count, n, b.contents.data(), b.volume.data(), b.average.data());
-      count = 0;
-    };
-    for_each(b.reach, [&](const Index<Dim>& i) {
-      const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-      if ((b.role[k] & donates) == 0) {
-        flush();
-        return;
-      }
-      const double volume = b.volume[k], rho = b.contents[k] / volume;
-      const bool left = !is_mean || volume > least_of_old * b.volume_old[k];
-      if (left && volume > least_averaged * grid.full_volume(i) && rho > thinnest * eos.rho0 &&
-          rho < densest_averaged * range.most * eos.rho0) {
-        if (count > 0 && k != first + count) flush();
-        if (count == 0) first = k;
-        ++count;
-        return;
-      }
-      flush();
-      if (!std::isfinite(rho))
-        throw StateError(
-            body.name, point_of(state, slot, i - cells.lo),
-            "the density of " + body.name + " is not a number at " + place_of(state, slot, i - cells.lo));
-      if (left && volume > least_averaged * grid.full_volume(i))
-        ++counters.averages_kept;  // of the stage before
-    });
-    flush();
+  if (b.near_surface) {
+    average_donors(state, eos, body, slot, counters, is_mean);
+    return;
   }
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
+  Box<Dim> rows = cells;
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](const Index<Dim>& i) {
+    row_primitives<Dim>(eos, static_cast<std::size_t>(layout.at(i - cells.lo)),
+                        static_cast<std::size_t>(cells.extent(0)), static_cast<std::size_t>(layout.size()),
+                        b.contents.data(), b.volume.data(), b.average.data());
+  });
 }
 
 }  // namespace
@@ -195,8 +240,8 @@ void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Coun
   if (can_fail(body.material.damage)) relieve_averages(state, body, slot);
 }
 
-/// Twice the largest speed of the surfaces of a gas in the last step [m/s]. Into a void they run ahead of all
-/// signals within, and faster in each step.
+/// Twice the largest speed of the surfaces of a gas in the last step [m/s].
+/// Into a void they run ahead of all signals within, and faster in each step.
 template <int Dim>
 double gas_surface_speed(const BodyBlock<Dim>& b) {
   const std::size_t n = b.volume.size();
@@ -210,7 +255,8 @@ double gas_surface_speed(const BodyBlock<Dim>& b) {
   return 2 * std::sqrt(most2);
 }
 
-/// The speed, sum over axes [m/s], to which a rigid body sweeps matter at x as soon as it touches it.
+/// The speed, sum over axes [m/s], to which a rigid body sweeps matter at x as
+/// soon as it touches it.
 template <int Dim>
 double swept_speed(const State<Dim>& state, const Vec<Dim>& x) {
   double fastest = 0;
