@@ -22,19 +22,18 @@ namespace recoil {
 
 namespace {
 
-// A donor is averaged where it fills more than this part of a cell and its
-// density lies between these multiples of the ends of the DensityRange (of the
-// stages of a step only: at its start the donor's fill has been judged).
+// A donor is averaged where it fills more than this part of a cell and its density lies between these
+// multiples of the ends of the DensityRange (of the stages of a step only: at its start the donor's fill has
+// been judged).
 constexpr double least_averaged = 0.1, thinnest_averaged = 0.4, densest_averaged = 1.2;
-// The mean of Runge and Kutta of a fragment that has lost more than this part
-// of its volume in the step is one of an old volume and a negative one: it lies
-// outside of the two states.
+// The mean of Runge and Kutta of a fragment that has lost more than this part of its volume in the step is
+// one of an old volume and a negative one: it lies outside of the two states.
 constexpr double least_of_old = 0.5;
 constexpr double thinnest_used = 0.4;  // likewise: a fragment below it is of no use to fits and stencils ...
 constexpr double thinnest_failed = 1e-3;  // ... unless it has failed (of rho0): then most of it may be void
-constexpr double near_front = 1.5;        // [cells] from a surface of gas, where it
-                                          // may soon run at its escape speed
-constexpr double near_rigid = 3;          // [cells] from a rigid body, which may soon carry matter along
+constexpr double near_front =
+    1.5;                          // [cells] from a surface of gas, where it may soon run at its escape speed
+constexpr double near_rigid = 3;  // [cells] from a rigid body, which may soon carry matter along
 
 template <int Dim>
 std::vector<double> point_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
@@ -50,9 +49,8 @@ std::string place_of(const State<Dim>& state, int slot, const Index<Dim>& local)
   return "(" + text + ") mm";
 }
 
-/// Stops the run: a fragment is denser than its equation of state admits, or
-/// its density is below -rho0. So far below zero it would grow in the averages
-/// over the cells around, until no sum over the body is exact.
+/// Stops the run: a fragment is denser than its equation of state admits, or its density is below -rho0. So
+/// far below zero it would grow in the averages over the cells around, until no sum over the body is exact.
 template <int Dim>
 [[noreturn]] void refuse_density(const State<Dim>& state, const Body<Dim>& body, int slot,
                                  const Index<Dim>& local, std::size_t k) {
@@ -68,8 +66,7 @@ template <int Dim>
   }
   throw StateError(
       body.name, point_of(state, slot, local),
-      fmt::format("{} has a density beyond its equation of state at {}, {:.6g} us: "
-                  "{:.6g} kg/m3, the largest "
+      fmt::format("{} has a density beyond its equation of state at {}, {:.6g} us: {:.6g} kg/m3, the largest "
                   "is {:.6g}, and none is below 0; "
                   "velocity ({}) m/s, internal energy {:.6g} J/kg, {:.3g} of a cell",
                   body.name, place_of(state, slot, local), state.time * 1e6, rho,
@@ -81,8 +78,7 @@ template <int Dim>
 [[noreturn]] void refuse_state(const State<Dim>& state, const Body<Dim>& body, int slot,
                                const Index<Dim>& local, double rho, double p) {
   throw StateError(body.name, point_of(state, slot, local),
-                   fmt::format("{} has no admissible state at {}: density "
-                               "{:.6g} kg/m3, pressure {:.6g} GPa",
+                   fmt::format("{} has no admissible state at {}: density {:.6g} kg/m3, pressure {:.6g} GPa",
                                body.name, place_of(state, slot, local), rho, p * 1e-9));
 }
 
@@ -113,17 +109,15 @@ RECOIL_MULTIVERSION void row_primitives(const EosModel& eos, std::size_t first, 
 /// What is to be done with the average of a cell.
 enum class Averaged : std::uint8_t { no, yes, kept };
 
-/// What a donor is averaged by: its volume is above `least` (by column) and
-/// above `of_old` times that at the start of the step, its density lies between
-/// `thinnest` and `densest` [kg/m3].
+/// What a donor is averaged by: its volume is above `least` (by column) and above `of_old` times that at the
+/// start of the step, its density lies between `thinnest` and `densest` [kg/m3].
 struct AveragedRow {
   const std::uint8_t* role;
   const double *volume, *volume_old, *mass, *least;
   double of_old, thinnest, densest;
 };
 
-/// Says it of a row of cells. The row is a copy, so that the compiler knows
-/// that it stays as it is.
+/// Says it of a row of cells. The row is a copy, so that the compiler knows that it stays as it is.
 RECOIL_MULTIVERSION void find_averaged(AveragedRow row, int count, Averaged* to) {
 #pragma GCC ivdep
   for (int c = 0; c < count; ++c) {
@@ -240,8 +234,8 @@ void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Coun
   if (can_fail(body.material.damage)) relieve_averages(state, body, slot);
 }
 
-/// Twice the largest speed of the surfaces of a gas in the last step [m/s].
-/// Into a void they run ahead of all signals within, and faster in each step.
+/// Twice the largest speed of the surfaces of a gas in the last step [m/s]. Into a void they run ahead of all
+/// signals within, and faster in each step.
 template <int Dim>
 double gas_surface_speed(const BodyBlock<Dim>& b) {
   const std::size_t n = b.volume.size();
@@ -255,8 +249,7 @@ double gas_surface_speed(const BodyBlock<Dim>& b) {
   return 2 * std::sqrt(most2);
 }
 
-/// The speed, sum over axes [m/s], to which a rigid body sweeps matter at x as
-/// soon as it touches it.
+/// The speed, sum over axes [m/s], to which a rigid body sweeps matter at x as soon as it touches it.
 template <int Dim>
 double swept_speed(const State<Dim>& state, const Vec<Dim>& x) {
   double fastest = 0;
@@ -270,6 +263,55 @@ double swept_speed(const State<Dim>& state, const Vec<Dim>& x) {
     fastest = std::max(fastest, sum);
   }
   return fastest;
+}
+
+/// Averages of a row of cells, the first one's at `average` (components n apart).
+struct SignalRow {
+  const std::uint8_t* role;
+  const double* average;
+  std::size_t n;
+};
+
+/// The fastest signal of a row of solid matter, sum over axes [m/s]: what its regular cells have, or
+/// `fastest` if that is more. @returns whether no cell has to be looked at by itself; if one has, `fastest`
+/// stays. The row is a copy, so that the compiler knows that it stays as it is.
+template <int Dim, class EosModel>
+RECOIL_MULTIVERSION [[gnu::flatten]] bool row_signal(const EosModel& eos, SignalRow row, int count, double g,
+                                                     double sound, double least, double& fastest) {
+  using C = Components<Dim>;
+  double most = fastest;
+  int odd = 0;
+#pragma omp simd reduction(max : most) reduction(| : odd)
+  for (int c = 0; c < count; ++c) {
+    const double* w = row.average + c;
+    const double rho = w[0],
+                 c2 = frozen(eos, w[C::crushed * row.n]).sound_speed_squared(rho, w[C::p * row.n]);
+    double sum = 0;
+    for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(w[(C::u + d) * row.n]);
+    const bool counts = (row.role[c] & regular) != 0,
+               usual = std::isfinite(sum + c2) & (rho > 0) &
+                       frozen(eos, w[C::crushed * row.n]).admissible(rho) & (c2 >= least);
+    sum += sound * std::sqrt((c2 > least ? c2 : least) + 4 * g / (3 * rho));
+    odd |= counts & !usual ? 1 : 0;
+    most = counts & usual & (sum > most) ? sum : most;
+  }
+  if (odd == 0) fastest = most;
+  return odd == 0;
+}
+
+/// by_row(place of its first cell, count) for all rows of cells of a block; where the answer is no,
+/// f(cell, its place) for the cells of the row.
+template <int Dim, class ByRow, class F>
+void for_each_row_or_place(const State<Dim>& state, int slot, ByRow&& by_row, F&& f) {
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
+  Box<Dim> rows = cells;
+  const int width = rows.extent(0);
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](Index<Dim> i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+    if (by_row(k, width)) return;
+    for (int c = 0; c < width; ++c, ++i[0]) f(i, k + static_cast<std::size_t>(c));
+  });
 }
 
 template <int Dim>
@@ -288,12 +330,13 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   };
   const bool beside_rigid = std::ranges::any_of(
       state.bodies, [](const Body<Dim>& other) { return other.rigid && !never_moves(*other.rigid); });
+  const bool by_rows = !follows && !beside_rigid && !is_fluid(body.material.eos);
   const Grid<Dim>& grid = state.grid(slot);
   double fastest = 0;
   std::visit(
       [&](const auto& eos) {
         const double least = least_sound_squared(eos);
-        for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+        const auto look_at = [&](const Index<Dim>& i, std::size_t k) {
           if ((b.role[k] & regular) == 0) return;
           const double rho = b.average[k], p = b.average[C::p * n + k];
           const auto& matter = frozen(eos, b.average[C::crushed * n + k]);
@@ -313,7 +356,12 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
             if (const auto front = gas_isentrope(body.material.eos, rho, p, 0))
               sum = std::max(sum, still + front->speed);
           fastest = sum > fastest ? sum : fastest;
-        });
+        };
+        const auto look_at_row = [&](std::size_t k, int count) {
+          return by_rows && row_signal<Dim>(eos, {b.role.data() + k, b.average.data() + k, n}, count, g,
+                                            sound, least, fastest);
+        };
+        for_each_row_or_place(state, slot, look_at_row, look_at);
       },
       body.material.eos);
   if (is_fluid(body.material.eos)) fastest = std::max(fastest, gas_surface_speed(b));
