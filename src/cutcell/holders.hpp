@@ -36,13 +36,17 @@ inline Holders list_holders_of(const Neighbourhood* small, int smalls, const int
                                Scratch& scratch) {
   Holders h{scratch.take_filled<int>(cells, 0), scratch.take<int>(cells), nullptr,
             scratch.take_filled<std::uint8_t>(cells, 0)};
+  int* fill = scratch.take<int>(cells);  // set where a cell is held; -1: not listed yet
   int total = 0;
   for (int s = 0; s < smalls; ++s) {
     h.is_small[small[s].cell] = 1;
-    for (int m = 0; m < small[s].members; ++m) ++h.held[members[small[s].first + m]];
+    for (int m = 0; m < small[s].members; ++m) {
+      const int k = members[small[s].first + m];
+      ++h.held[k];
+      fill[k] = -1;
+    }
     total += small[s].members;
   }
-  int* fill = scratch.take_filled<int>(cells, -1);
   h.list = scratch.take<int>(static_cast<std::size_t>(total));
   int used = 0;
   for (int s = 0; s < smalls; ++s)

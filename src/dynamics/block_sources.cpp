@@ -243,9 +243,12 @@ void add_walls(BodyBlock<Dim>& b, Work<Dim>& w, double dt) {
 template <int Dim>
 void add_sources(const BodyBlock<Dim>& b, double g, Work<Dim>& w, Scratch& scratch) {
   if (!w.whole) borrow_wall_values(b, w);
-  double* trace = scratch.take_filled<double>(w.n, 0);
-  for (std::size_t d = 0; d < Dim; ++d)
-    for (std::size_t k = 0; k < w.n; ++k) trace[k] += w.gradient[(d * Dim + d) * w.n + k];
+  double* trace = scratch.take<double>(w.n);
+  for (std::size_t k = 0; k < w.n; ++k) {
+    double sum = 0;
+    for (std::size_t d = 0; d < Dim; ++d) sum += w.gradient[(d * Dim + d) * w.n + k];
+    trace[k] = sum;
+  }
   if constexpr (Dim == 2)
     if (w.grid.axisymmetric) axisymmetric_sources(b, w);
   if (!(g > 0)) return;

@@ -196,9 +196,9 @@ void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slo
   if (Scheme::by_cells && eos.porous) soften_crushing(*eos.porous, g, w);  // LLF needs the fastest signal
   if (Shear && Scheme::by_cells && !w.whole && !eos.porous) find_never_yielding(body, w, scratch);
   if (faces == FaceTime::midstep) detail::find_half_step(body, dt, w, scratch);
-  w.rate = scratch.take_filled<double>(w.n * C::contents, 0);
-  w.gradient = scratch.take_filled<double>(w.n * Dim * Dim, 0);
-  w.radial = scratch.take_filled<double>(state.grid(slot).axisymmetric ? w.n * 2 : 1, 0);
+  w.rate = scratch.take<double>(w.n * C::contents);  // set by the sweeps, as the next two
+  w.gradient = scratch.take<double>(w.n * Dim * Dim);
+  w.radial = scratch.take<double>(state.grid(slot).axisymmetric ? w.n * 2 : 1);
   const double booked = weight * dt;
   detail::sweep<Dim, 0, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
   if constexpr (Dim > 1)

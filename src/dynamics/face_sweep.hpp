@@ -92,11 +92,24 @@ void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t a
   counters.first_order_faces += Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out);
 }
 
-template <int Dim>
-bool complete(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step) {
-  for (int s = -face_reach; s < face_reach; ++s)
-    if ((w.role[at + s * step] & valued) == 0) return false;
-  return true;
+/// Of every face of a row: whether all cells of its stencil have a value.
+/// @param role of the cells above the faces. @returns whether it is so of all faces.
+inline bool find_complete(const std::uint8_t* role, std::ptrdiff_t step, int count, std::uint8_t* complete) {
+  std::uint8_t all = valued;
+#pragma omp simd reduction(& : all)
+  for (int i = 0; i < count; ++i) {
+    const std::uint8_t* at = role + i;
+    complete[i] = at[-3 * step] & at[-2 * step] & at[-step] & at[0] & at[step] & at[2 * step] & valued;
+    all &= complete[i];
+  }
+  return all != 0;
+}
+
+inline bool any_closed(const double* area, int count) {
+  int closed = 0;
+#pragma omp simd reduction(| : closed)
+  for (int i = 0; i < count; ++i) closed |= area[i] == 0 ? 1 : 0;
+  return closed != 0;
 }
 
 /// Nothing passes closed faces; those whose stencil lacks values are done on their own.
@@ -104,18 +117,22 @@ template <int Dim, int Axis, bool Shear, class Scheme>
 void replace_inadmissible_faces(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
                                 Counters& counters) {
   using C = Components<Dim>;
+  static_assert(face_reach == 3, "cells that find_complete() looks at");
   const std::ptrdiff_t step = w.window.stride(Axis);
   Box<Dim> rows = out.box;
   rows.hi[0] = rows.lo[0] + 1;
   const int width = out.box.extent(0);
+  std::array<std::uint8_t, Window<Dim>::longest> complete;
   for_each(rows, [&](const Index<Dim>& r) {
     const int at_face = out.box.at(r), at_cell = w.window.at(r);
+    const bool all = !w.role || find_complete(w.role + at_cell, step, width, complete.data());
+    if (all && !any_closed(out.area + at_face, width)) return;
     for (int i = 0; i < width; ++i) {
       const int face = at_face + i;
       if (out.area[face] == 0) {
         for (std::size_t c = 0; c < C::contents; ++c) out.flux.flux[c * out.flux.faces + face] = 0;
         for (std::size_t d = 0; d < Dim; ++d) out.flux.velocity[d * out.flux.faces + face] = 0;
-      } else if (w.role && !complete(w, at_cell + i, step) && !between_voids(w, at_cell + i, step)) {
+      } else if (!all && complete[static_cast<std::size_t>(i)] == 0 && !between_voids(w, at_cell + i, step)) {
         poor_face<Dim, Axis, Shear, Scheme>(eos, g, w, at_cell + i, step, out.flux_at(at_face + i), counters);
       }
     }
@@ -149,7 +166,8 @@ void find_normal_stress(Work<Dim>& w, Scratch& scratch) {
   }
 }
 
-/// Adds what the fluxes bring to the rates of the block's cells, and the star velocities to their gradients.
+/// Adds what the fluxes bring to the rates of the block's cells, which the first axis sets, and the star
+/// velocities to their gradients, each of which one axis sets.
 template <int Dim, int Axis>
 void add_fluxes(const Faces<Dim>& in, Work<Dim>& w) {
   const std::size_t nf = in.flux.faces;
@@ -163,11 +181,15 @@ void add_fluxes(const Faces<Dim>& in, Work<Dim>& w) {
     const double *low = area + f, *high = area + f + next;
     for (std::size_t c = 0; c < w.carried(); ++c) {
       const double* q = flux + c * nf + f;
-      add_difference(cell_width, low, q, high, q + next, w.rate + c * w.n + k);
+      double* const rate = w.rate + c * w.n + k;
+      if constexpr (Axis == 0)
+        set_difference(cell_width, low, q, high, q + next, rate);
+      else
+        add_difference(cell_width, low, q, high, q + next, rate);
     }
     for (std::size_t d = 0; d < Dim; ++d) {
       const double* u = velocity + d * nf + f;
-      add_difference(cell_width, high, u + next, low, u, w.gradient + (d * Dim + Axis) * w.n + k);
+      set_difference(cell_width, high, u + next, low, u, w.gradient + (d * Dim + Axis) * w.n + k);
       if (w.grid.axisymmetric && Axis == 0)
         for (int i = 0; i < cell_width; ++i) w.radial[d * w.n + k + i] = 0.5 * (u[i] + u[i + next]);
     }

@@ -1,6 +1,7 @@
 #include "dynamics/inadmissible.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,14 +18,15 @@ constexpr double least_judged = 0.02;      // part of a cell below which a state
 constexpr double admissible_sound = 0.02;  // least c^2 of a solid, of c0^2
 
 /// Of failed matter only the density is judged, and only from above: the rest of its cell is a void.
+/// @param fails whether the matter can fail: if not, its damage does not count.
 template <int Dim, class EosModel>
 [[gnu::always_inline]] inline bool beyond_equations(const EosModel& eos, const Contents<Dim>& q,
-                                                    double volume) {
+                                                    double volume, bool fails) {
   using C = Components<Dim>;
   const double rho = q[C::rho] / volume;
   const auto& matter = frozen(eos, q[C::crushed] / q[C::rho]);
   const DensityRange range = density_range(matter);
-  const bool failed = (q[C::damage] > 0) & (q[C::damage] >= failed_damage * q[C::rho]);
+  const bool failed = fails & (q[C::damage] > 0) & (q[C::damage] >= failed_damage * q[C::rho]);
   const bool possible = (rho > range.least * matter.rho0) & (rho < range.most * matter.rho0);
   double momentum2 = 0;
   for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
@@ -36,32 +38,31 @@ template <int Dim, class EosModel>
   return !(good | dust);  // true for NaN
 }
 
-/// Fragments of a row of cells, the first one's at `contents` (components n apart) and `volume`.
+/// Fragments of a row of cells, the first one's at `contents` (components n apart), `volume` and `least`.
 template <int Dim>
 struct JudgedRow {
   const double *contents, *volume;
   std::size_t n;
-  const Grid<Dim>& grid;
-  Index<Dim> first;
+  const double* least;  // volumes from which on they are judged
   bool fails;
 };
 
 template <int Dim, class EosModel>
 [[gnu::always_inline]] inline bool is_inadmissible(const EosModel& eos, const JudgedRow<Dim>& row, int c) {
   using C = Components<Dim>;
-  Index<Dim> i = row.first;
-  i[0] += c;
   const double* from = row.contents + c;
   Contents<Dim> q;  // what is judged: mass, momentum, energy, pores, damage
   for (std::size_t j = 0; j <= C::energy; ++j) q[j] = from[j * row.n];
   if constexpr (has_pores<EosModel>()) q[C::crushed] = from[C::crushed * row.n];
-  q[C::damage] = row.fails ? from[C::damage * row.n] : 0.0;
-  return (row.volume[c] > least_judged * row.grid.full_volume(i)) &
-         beyond_equations<Dim>(eos, q, row.volume[c]);
+  q[C::damage] = from[C::damage * row.n];
+  return (row.volume[c] > row.least[c]) & beyond_equations<Dim>(eos, q, row.volume[c], row.fails);
 }
 
+/// The row is a copy: of one that is somewhere else the compiler does not know that it stays as it is, and
+/// takes cell by cell.
 template <int Dim, class EosModel>
-RECOIL_MULTIVERSION bool any_inadmissible(const EosModel& eos, const JudgedRow<Dim>& row, int count) {
+RECOIL_MULTIVERSION [[gnu::flatten]] bool any_inadmissible(const EosModel& eos, JudgedRow<Dim> row,
+                                                           int count) {
   int any = 0;
 #pragma omp simd reduction(| : any)
   for (int c = 0; c < count; ++c) any |= is_inadmissible(eos, row, c) ? 1 : 0;
@@ -87,11 +88,45 @@ bool tear(const EosModel& eos, BodyBlock<Dim>& b, std::size_t k, double most_dam
   return true;
 }
 
+/// mark_inadmissible() for one kind of matter.
+template <int Dim, class EosModel>
+std::int64_t mark_rows(const EosModel& eos, const State<Dim>& state, BodyBlock<Dim>& b, int slot,
+                       Counters& counters, bool fails, double most_damage) {
+  std::int64_t count = 0;
+  const Grid<Dim>& grid = state.grid(slot);
+  const Index<Dim> lo = state.mesh.block(slot).cells.lo;
+  Box<Dim> rows = b.matter;
+  const int width = rows.extent(0);
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  std::array<double, Window<Dim>::longest> least;  // by column
+  Index<Dim> column = rows.lo;
+  for (int c = 0; c < width; ++c, ++column[0])
+    least[static_cast<std::size_t>(c)] = least_judged * grid.full_volume(column);
+  for_each(rows, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(grid.layout().at(i - lo));
+    std::uint8_t* role = b.role.data() + k;
+    for (int c = 0; c < width; ++c) role[c] &= static_cast<std::uint8_t>(~has_bad_contents);
+    const JudgedRow<Dim> row{b.contents.data() + k, b.volume.data() + k, b.volume.size(), least.data(),
+                             fails};
+    if (!any_inadmissible(eos, row, width)) return;
+    for (int c = 0; c < width; ++c) {
+      if (!is_inadmissible(eos, row, c)) continue;
+      if (fails && tear(eos, b, k + static_cast<std::size_t>(c), most_damage)) {
+        ++counters.torn_states;
+        continue;
+      }
+      role[c] |= has_bad_contents;
+      ++count;
+    }
+  });
+  return count;
+}
+
 }  // namespace
 
 template <int Dim>
 bool inadmissible(const Material& material, const Contents<Dim>& contents, double volume) {
-  return std::visit([&](const auto& eos) { return beyond_equations<Dim>(eos, contents, volume); },
+  return std::visit([&](const auto& eos) { return beyond_equations<Dim>(eos, contents, volume, true); },
                     material.eos);
 }
 
@@ -99,35 +134,11 @@ template <int Dim>
 std::int64_t mark_inadmissible(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters,
                                double most_damage) {
   BodyBlock<Dim>& b = body.at(slot);
-  std::int64_t count = 0;
-  const Grid<Dim>& grid = state.grid(slot);
-  const Index<Dim> lo = state.mesh.block(slot).cells.lo;
-  const std::size_t n = b.volume.size();
-  Box<Dim> rows = b.matter;
-  const int width = rows.extent(0);
-  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
-  const bool fails = can_fail(body.material.damage);
-  std::visit(
+  return std::visit(
       [&](const auto& eos) {
-        for_each(rows, [&](const Index<Dim>& i) {
-          const auto k = static_cast<std::size_t>(grid.layout().at(i - lo));
-          std::uint8_t* role = b.role.data() + k;
-          for (int c = 0; c < width; ++c) role[c] &= static_cast<std::uint8_t>(~has_bad_contents);
-          const JudgedRow<Dim> row{b.contents.data() + k, b.volume.data() + k, n, grid, i, fails};
-          if (!any_inadmissible(eos, row, width)) return;
-          for (int c = 0; c < width; ++c) {
-            if (!is_inadmissible(eos, row, c)) continue;
-            if (fails && tear(eos, b, k + static_cast<std::size_t>(c), most_damage)) {
-              ++counters.torn_states;
-              continue;
-            }
-            role[c] |= has_bad_contents;
-            ++count;
-          }
-        });
+        return mark_rows(eos, state, b, slot, counters, can_fail(body.material.damage), most_damage);
       },
       body.material.eos);
-  return count;
 }
 
 template <int Dim>

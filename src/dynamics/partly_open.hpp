@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -43,31 +44,36 @@ PartlyOpen<Dim> find_partly_open(const Window<Dim>& w, const Geometry<Dim>& g, i
   return {is, middle};
 }
 
-/// How component c of the velocity changes along axis d at cell k, per dx: by central differences, but no
+/// How a component of the velocity changes at cell k along an axis, per dx: by central differences, but no
 /// more than twice either one-sided one (van Leer), so that what is torn, where neighbours have nothing to do
 /// with each other, does not turn; by a one-sided one where only one neighbour has a value.
-template <int Dim>
-double velocity_slope(const Work<Dim>& w, std::ptrdiff_t k, int c, int d) {
-  const double* u = w.primitive + static_cast<std::size_t>(Components<Dim>::u + c) * w.wide;
-  const std::ptrdiff_t step = w.window.stride(d);
-  const bool low = !w.role || (w.role[k - step] & valued) != 0,
-             high = !w.role || (w.role[k + step] & valued) != 0;
-  if (!low || !high) return high ? u[k + step] - u[k] : low ? u[k] - u[k - step] : 0.0;
-  const double below = u[k] - u[k - step], above = u[k + step] - u[k], central = 0.5 * (below + above);
+/// @param step distance in memory along the axis. @param low, high whether the neighbours have a value.
+[[gnu::always_inline]] inline double velocity_slope(const double* u, std::ptrdiff_t step, bool low,
+                                                    bool high) {
+  const double below = u[0] - u[-step], above = u[step] - u[0];
+  if (!low || !high) return high ? above : low ? below : 0.0;
   if (below * above <= 0) return 0;
   const double most = 2 * std::min(std::abs(below), std::abs(above));
-  return std::clamp(central, -most, most);
+  return std::clamp(0.5 * (below + above), -most, most);
 }
 
 /// The velocity at x [dx] from the middle of cell k, less that in the middle, of a rigid body that turns like
 /// the matter there.
 template <int Dim>
 Vec<Dim> turning_velocity(const Work<Dim>& w, std::ptrdiff_t k, const Vec<Dim>& x) {
+  const double* u = w.primitive + static_cast<std::size_t>(Components<Dim>::u) * w.wide + k;
+  std::array<Vec<Dim>, Dim> slope{};  // [axis][component]
+  for (int d = 0; d < Dim; ++d) {
+    const std::ptrdiff_t step = w.window.stride(d);
+    const bool low = !w.role || (w.role[k - step] & valued) != 0,
+               high = !w.role || (w.role[k + step] & valued) != 0;
+    for (int c = 0; c < Dim; ++c)
+      if (c != d) slope[d][c] = velocity_slope(u + c * w.wide, step, low, high);
+  }
   Vec<Dim> v;
   for (int c = 1; c < Dim; ++c)
     for (int d = 0; d < c; ++d) {
-      if (x[c] == 0 && x[d] == 0) continue;
-      const double rate = 0.5 * (velocity_slope(w, k, c, d) - velocity_slope(w, k, d, c));
+      const double rate = 0.5 * (slope[d][c] - slope[c][d]);
       v[c] += rate * x[d];
       v[d] -= rate * x[c];
     }
@@ -76,8 +82,7 @@ Vec<Dim> turning_velocity(const Work<Dim>& w, std::ptrdiff_t k, const Vec<Dim>& 
 
 /// Moves the velocities on both sides of a row of faces to the middles of their open parts. Face i of the row
 /// is face `face + i`, the cell above it cell `cell + i`; its values stand at place i + left_from of `left`
-/// and i
-/// + right_from of `right`.
+/// and at place i + right_from of `right`.
 template <int Dim>
 void move_to_open_parts(const Work<Dim>& w, const PartlyOpen<Dim>& partly, int count, int face,
                         std::ptrdiff_t cell, std::ptrdiff_t step, FaceValues<Dim>& left, int left_from,

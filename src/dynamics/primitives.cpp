@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -103,57 +106,93 @@ RECOIL_MULTIVERSION void row_primitives(const EosModel& eos, std::size_t first, 
   }
 }
 
+/// What is to be done with the average of a cell.
+enum class Averaged : std::uint8_t { no, yes, kept };
+
+/// What a donor is averaged by: its volume is above `least` (by column) and above `of_old` times that at the
+/// start of the step, its density lies between `thinnest` and `densest` [kg/m3].
+struct AveragedRow {
+  const std::uint8_t* role;
+  const double *volume, *volume_old, *mass, *least;
+  double of_old, thinnest, densest;
+};
+
+/// Says it of a row of cells. The row is a copy, so that the compiler knows that it stays as it is.
+RECOIL_MULTIVERSION void find_averaged(AveragedRow row, int count, Averaged* to) {
+#pragma GCC ivdep
+  for (int c = 0; c < count; ++c) {
+    const double volume = row.volume[c], rho = row.mass[c] / volume;
+    const bool donor = (row.role[c] & donates) != 0, good = (volume > row.of_old * row.volume_old[c]) &
+                                                            (volume > row.least[c]) & (rho > row.thinnest) &
+                                                            (rho < row.densest);
+    to[c] = !donor ? Averaged::no : good ? Averaged::yes : Averaged::kept;
+  }
+}
+
+/// Runs of good donors, which go through the same loop as whole rows.
+template <int Dim, class EosModel>
+void average_donors(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
+                    Counters& counters, bool is_mean) {
+  BodyBlock<Dim>& b = body.at(slot);
+  const Grid<Dim>& grid = state.grid(slot);
+  const Index<Dim> lo = state.mesh.block(slot).cells.lo;
+  const Box<Dim> layout = grid.layout();
+  const DensityRange range = density_range(eos);
+  const double thinnest = can_fail(body.material.damage) ? thinnest_failed : thinnest_averaged * range.least;
+  Box<Dim> rows = b.reach;
+  const int width = rows.extent(0);
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  std::array<double, Window<Dim>::longest> least;
+  Index<Dim> column = rows.lo;
+  for (int c = 0; c < width; ++c, ++column[0])
+    least[static_cast<std::size_t>(c)] = least_averaged * grid.full_volume(column);
+  std::array<Averaged, Window<Dim>::longest> averaged;
+  for_each(rows, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - lo));
+    const double* volume = b.volume.data() + k;
+    find_averaged({b.role.data() + k, volume, is_mean ? b.volume_old.data() + k : volume,
+                   b.contents.data() + k, least.data(), is_mean ? least_of_old : 0.0, thinnest * eos.rho0,
+                   densest_averaged * range.most * eos.rho0},
+                  width, averaged.data());
+    for (int c = 0; c < width; ++c) {
+      const auto what = [&](int at) { return averaged[static_cast<std::size_t>(at)]; };
+      if (what(c) == Averaged::no) continue;
+      if (what(c) == Averaged::yes) {
+        const int first = c;
+        while (c + 1 < width && what(c + 1) == Averaged::yes) ++c;
+        row_primitives<Dim>(eos, k + static_cast<std::size_t>(first), static_cast<std::size_t>(c + 1 - first),
+                            b.volume.size(), b.contents.data(), b.volume.data(), b.average.data());
+        continue;
+      }
+      Index<Dim> at = i;
+      at[0] += c;
+      const bool left = !is_mean || volume[c] > least_of_old * b.volume_old[k + static_cast<std::size_t>(c)];
+      if (!std::isfinite(b.contents[k + static_cast<std::size_t>(c)] / volume[c]))
+        throw StateError(
+            body.name, point_of(state, slot, at - lo),
+            "the density of " + body.name + " is not a number at " + place_of(state, slot, at - lo));
+      if (left && volume[c] > least[static_cast<std::size_t>(c)])
+        ++counters.averages_kept;  // of the stage before
+    }
+  });
+}
+
 template <int Dim, class EosModel>
 void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
                    Counters& counters, bool is_mean) {
   BodyBlock<Dim>& b = body.at(slot);
-  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
-  const auto n = static_cast<std::size_t>(layout.size());
-  const DensityRange range = density_range(eos);
-  if (!b.near_surface) {
-    Box<Dim> rows = cells;
-    rows.hi[0] = rows.lo[0] + 1;
-    for_each(rows, [&](const Index<Dim>& i) {
-      row_primitives<Dim>(eos, static_cast<std::size_t>(layout.at(i - cells.lo)),
-                          static_cast<std::size_t>(cells.extent(0)), n, b.contents.data(), b.volume.data(),
-                          b.average.data());
-    });
-  } else {
-    // Runs of good donors go through the same loop as whole rows.
-    const double thinnest =
-        can_fail(body.material.damage) ? thinnest_failed : thinnest_averaged * range.least;
-    const Grid<Dim>& grid = state.grid(slot);
-    std::size_t first = 0, count = 0;
-    const auto flush = [&] {
-      if (count > 0)
-        row_primitives<Dim>(eos, first, count, n, b.contents.data(), b.volume.data(), b.average.data());
-      count = 0;
-    };
-    for_each(b.reach, [&](const Index<Dim>& i) {
-      const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-      if ((b.role[k] & donates) == 0) {
-        flush();
-        return;
-      }
-      const double volume = b.volume[k], rho = b.contents[k] / volume;
-      const bool left = !is_mean || volume > least_of_old * b.volume_old[k];
-      if (left && volume > least_averaged * grid.full_volume(i) && rho > thinnest * eos.rho0 &&
-          rho < densest_averaged * range.most * eos.rho0) {
-        if (count > 0 && k != first + count) flush();
-        if (count == 0) first = k;
-        ++count;
-        return;
-      }
-      flush();
-      if (!std::isfinite(rho))
-        throw StateError(
-            body.name, point_of(state, slot, i - cells.lo),
-            "the density of " + body.name + " is not a number at " + place_of(state, slot, i - cells.lo));
-      if (left && volume > least_averaged * grid.full_volume(i))
-        ++counters.averages_kept;  // of the stage before
-    });
-    flush();
+  if (b.near_surface) {
+    average_donors(state, eos, body, slot, counters, is_mean);
+    return;
   }
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
+  Box<Dim> rows = cells;
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](const Index<Dim>& i) {
+    row_primitives<Dim>(eos, static_cast<std::size_t>(layout.at(i - cells.lo)),
+                        static_cast<std::size_t>(cells.extent(0)), static_cast<std::size_t>(layout.size()),
+                        b.contents.data(), b.volume.data(), b.average.data());
+  });
 }
 
 }  // namespace
@@ -226,6 +265,55 @@ double swept_speed(const State<Dim>& state, const Vec<Dim>& x) {
   return fastest;
 }
 
+/// Averages of a row of cells, the first one's at `average` (components n apart).
+struct SignalRow {
+  const std::uint8_t* role;
+  const double* average;
+  std::size_t n;
+};
+
+/// The fastest signal of a row of solid matter, sum over axes [m/s]: what its regular cells have, or
+/// `fastest` if that is more. @returns whether no cell has to be looked at by itself; if one has, `fastest`
+/// stays. The row is a copy, so that the compiler knows that it stays as it is.
+template <int Dim, class EosModel>
+RECOIL_MULTIVERSION [[gnu::flatten]] bool row_signal(const EosModel& eos, SignalRow row, int count, double g,
+                                                     double sound, double least, double& fastest) {
+  using C = Components<Dim>;
+  double most = fastest;
+  int odd = 0;
+#pragma omp simd reduction(max : most) reduction(| : odd)
+  for (int c = 0; c < count; ++c) {
+    const double* w = row.average + c;
+    const double rho = w[0],
+                 c2 = frozen(eos, w[C::crushed * row.n]).sound_speed_squared(rho, w[C::p * row.n]);
+    double sum = 0;
+    for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(w[(C::u + d) * row.n]);
+    const bool counts = (row.role[c] & regular) != 0,
+               usual = std::isfinite(sum + c2) & (rho > 0) &
+                       frozen(eos, w[C::crushed * row.n]).admissible(rho) & (c2 >= least);
+    sum += sound * std::sqrt((c2 > least ? c2 : least) + 4 * g / (3 * rho));
+    odd |= counts & !usual ? 1 : 0;
+    most = counts & usual & (sum > most) ? sum : most;
+  }
+  if (odd == 0) fastest = most;
+  return odd == 0;
+}
+
+/// by_row(place of its first cell, count) for all rows of cells of a block; where the answer is no,
+/// f(cell, its place) for the cells of the row.
+template <int Dim, class ByRow, class F>
+void for_each_row_or_place(const State<Dim>& state, int slot, ByRow&& by_row, F&& f) {
+  const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
+  Box<Dim> rows = cells;
+  const int width = rows.extent(0);
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](Index<Dim> i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
+    if (by_row(k, width)) return;
+    for (int c = 0; c < width; ++c, ++i[0]) f(i, k + static_cast<std::size_t>(c));
+  });
+}
+
 template <int Dim>
 double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, double sound,
                       Counters& counters) {
@@ -242,12 +330,13 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   };
   const bool beside_rigid = std::ranges::any_of(
       state.bodies, [](const Body<Dim>& other) { return other.rigid && !never_moves(*other.rigid); });
+  const bool by_rows = !follows && !beside_rigid && !is_fluid(body.material.eos);
   const Grid<Dim>& grid = state.grid(slot);
   double fastest = 0;
   std::visit(
       [&](const auto& eos) {
         const double least = least_sound_squared(eos);
-        for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+        const auto look_at = [&](const Index<Dim>& i, std::size_t k) {
           if ((b.role[k] & regular) == 0) return;
           const double rho = b.average[k], p = b.average[C::p * n + k];
           const auto& matter = frozen(eos, b.average[C::crushed * n + k]);
@@ -267,7 +356,12 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
             if (const auto front = gas_isentrope(body.material.eos, rho, p, 0))
               sum = std::max(sum, still + front->speed);
           fastest = sum > fastest ? sum : fastest;
-        });
+        };
+        const auto look_at_row = [&](std::size_t k, int count) {
+          return by_rows && row_signal<Dim>(eos, {b.role.data() + k, b.average.data() + k, n}, count, g,
+                                            sound, least, fastest);
+        };
+        for_each_row_or_place(state, slot, look_at_row, look_at);
       },
       body.material.eos);
   if (is_fluid(body.material.eos)) fastest = std::max(fastest, gas_surface_speed(b));

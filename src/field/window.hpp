@@ -128,9 +128,8 @@ class Window {
     return b;
   }
 
+  /// Of a cell that is not the block's own.
   Axis map_index(const Block<Dim>& block, int d, int g) const {
-    if (g >= block.cells.lo[d] && g < block.cells.hi[d])
-      return {0, g - block.cells.lo[d], false, false, false};
     const int n = grid_.cells[d], nb = grid_.block[d];
     const auto& edge = grid_.edge[d];
     Axis a{};
@@ -160,25 +159,32 @@ class Window {
   }
 
   void map_axis(const Block<Dim>& block, int d) {
-    const int n = box_.extent(d);
-    const auto axis = static_cast<std::size_t>(d);
-    for (int i = 0; i < n; ++i) axis_[axis][i] = map_index(block, d, box_.lo[d] + i);
+    const int n = box_.extent(d), home = block.cells.lo[d], first = box_.lo[d];
+    const int lo = std::clamp(home - first, 0, n), hi = std::clamp(block.cells.hi[d] - first, lo, n);
+    auto& axis = axis_[static_cast<std::size_t>(d)];
+    for (int i = 0; i < lo; ++i) axis[i] = map_index(block, d, first + i);
+    for (int i = lo; i < hi; ++i) axis[i] = {0, first + i - home, false, false, false};
+    for (int i = hi; i < n; ++i) axis[i] = map_index(block, d, first + i);
     if (d != 0) return;
     runs_ = 0;
-    for (int i = 0; i < n; ++i) {
-      const Axis a = axis_[0][i];
-      if (runs_ > 0) {
-        Run& run = run_[runs_ - 1];
-        const int step = a.local - (run.local + (run.n - 1) * run.step);
-        if (a.offset == run.offset && a.flip == run.flip && a.outside == run.outside && a.open == run.open &&
-            step >= -1 && step <= 1 && (run.n == 1 || step == run.step)) {
-          run.step = step;
-          ++run.n;
-          continue;
-        }
+    for (int i = 0; i < lo; ++i) add_to_runs(i);
+    if (hi > lo) run_[runs_++] = {lo, hi - lo, 0, axis[lo].local, 1, false, false, false};
+    for (int i = hi; i < n; ++i) add_to_runs(i);
+  }
+
+  void add_to_runs(int i) {
+    const Axis a = axis_[0][i];
+    if (runs_ > 0) {
+      Run& run = run_[runs_ - 1];
+      const int step = a.local - (run.local + (run.n - 1) * run.step);
+      if (a.offset == run.offset && a.flip == run.flip && a.outside == run.outside && a.open == run.open &&
+          step >= -1 && step <= 1 && (run.n == 1 || step == run.step)) {
+        run.step = step;
+        ++run.n;
+        return;
       }
-      run_[runs_++] = {i, 1, a.offset, a.local, 1, a.flip, a.outside, a.open};
     }
+    run_[runs_++] = {i, 1, a.offset, a.local, 1, a.flip, a.outside, a.open};
   }
 
   template <class T, class From, std::size_t n>
@@ -205,31 +211,42 @@ class Window {
       const bool nothing = base == nullptr || (beyond == Beyond::nothing && (outside || run.outside)) ||
                            (beyond == Beyond::mirror && (open || run.open));
       const unsigned turned = flips | (run.flip ? 1U : 0U);
-      for (std::size_t c = 0; c < n; ++c) {
-        T* to = out + c * apart + run.to;
-        if (nothing)
-          std::fill(to, to + run.n, components[c].missing);
-        else
-          copy_run(base + c * apart_from + cell_row + run.local, run,
-                   __builtin_popcount(turned & components[c].odd_axes) % 2 == 1, to);
+      T* const to = out + run.to;
+      if (nothing) {
+        for (std::size_t c = 0; c < n; ++c)
+          std::fill(to + c * apart, to + c * apart + run.n, components[c].missing);
+        continue;
       }
+      copy_run<n>(base + cell_row + run.local, apart_from, run, to, apart);
+      if constexpr (std::is_same_v<T, double>)
+        for (std::size_t c = 0; turned != 0 && c < n; ++c)
+          if (__builtin_parity(turned & components[c].odd_axes) != 0)
+            for (int i = 0; i < run.n; ++i) to[c * apart + i] = -to[c * apart + i];
     }
   }
 
-  template <class T>
-  static void copy_run(const T* from, const Run& run, bool turn_sign, T* to) {
+  /// Copies a run of n components, which lie `apart_from` and `apart` one behind the other.
+  template <std::size_t n, class T>
+  static void copy_run(const T* from, std::size_t apart_from, const Run& run, T* to, std::size_t apart) {
     constexpr int short_run = 4;  // for which a call of memcpy costs more than it saves
-    const int n = run.n;
-    if (run.step == 1 && n > short_run)
-      std::memcpy(to, from, static_cast<std::size_t>(n) * sizeof(T));
+    const int length = run.n;
+    const auto each = [&](const auto& copy) {
+      for (std::size_t c = 0; c < n; ++c, from += apart_from, to += apart) copy();
+    };
+    if (run.step == 1 && length > short_run)
+      each([&] { std::memcpy(to, from, static_cast<std::size_t>(length) * sizeof(T)); });
     else if (run.step == 1)
-      for (int i = 0; i < n; ++i) to[i] = from[i];
+      each([&] {
+        for (int i = 0; i < length; ++i) to[i] = from[i];
+      });
     else if (run.step == -1)
-      for (int i = 0; i < n; ++i) to[i] = from[-i];
+      each([&] {
+        for (int i = 0; i < length; ++i) to[i] = from[-i];
+      });
     else
-      for (int i = 0; i < n; ++i) to[i] = from[0];
-    if constexpr (std::is_same_v<T, double>)
-      for (int i = 0; turn_sign && i < run.n; ++i) to[i] = -to[i];
+      each([&] {
+        for (int i = 0; i < length; ++i) to[i] = from[0];
+      });
   }
 
   const Mesh<Dim>& mesh_;

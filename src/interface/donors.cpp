@@ -266,37 +266,91 @@ int collect(const Grid<Dim>& grid, const Window<Dim>& w, const Vec<Dim>& point, 
   return static_cast<int>(donors.parts.size() - before);
 }
 
+/// The weight of a donor and, behind it, its place (kept in slope_weight).
+template <int Dim>
+[[gnu::always_inline]] inline void read_donor(const Donor<Dim>& donor, Four& v) {
+  static_assert(offsetof(Donor<Dim>, slope_weight) == offsetof(Donor<Dim>, weight) + sizeof(double));
+  v = Four{};
+  std::memcpy(&v, &donor.weight, (1 + Dim) * sizeof(double));
+}
+
+/// Sums over donors: of the weights, of these times the places, and times the places once more.
+template <int Dim>
+struct Moments {
+  double total = 0;
+  Vec<Dim> first;
+  Matrix<Dim> second;
+};
+
+template <int Dim>
+RECOIL_MULTIVERSION void find_moments(const Donor<Dim>* donors, int count, Moments<Dim>& out) {
+  double total = 0;
+  Four first{};
+  std::array<Four, Dim> second{};
+  for (int k = 0; k < count; ++k) {
+    Four donor;
+    read_donor(donors[k], donor);
+    const Four weighted = donor[0] * donor;
+    total += donor[0];
+    first += weighted;
+    for_each_axis<Dim>([&](auto d) RECOIL_INLINE { second[d] += weighted[d + 1] * donor; });
+  }
+  out.total = total;
+  for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
+    out.first[d] = first[d + 1];
+    for_each_axis<Dim>([&](auto e) RECOIL_INLINE { out.second[d][e] = second[d][e + 1]; });
+  });
+}
+
+/// From the places of donors to the coefficients of the gradient: weight times a (place - mean).
+template <int Dim>
+RECOIL_MULTIVERSION void set_slope_weights(const Matrix<Dim>& a, const Vec<Dim>& mean, int count,
+                                           Donor<Dim>* donors) {
+  Four middle{};
+  std::array<Four, Dim> column{};
+  for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
+    middle[d + 1] = mean[d];
+    for_each_axis<Dim>([&](auto e) RECOIL_INLINE { column[e][d + 1] = a[d][e]; });
+  });
+  for (int k = 0; k < count; ++k) {
+    Four donor, sum{};
+    read_donor(donors[k], donor);
+    const Four x = donor - middle;
+    for_each_axis<Dim>([&](auto e) RECOIL_INLINE { sum += column[e] * x[e + 1]; });
+    const Four slope = donor[0] * sum;
+    for_each_axis<Dim>([&](auto d) RECOIL_INLINE { donors[k].slope_weight[d] = slope[d + 1]; });
+  }
+}
+
 /// From weights and places (kept in slope_weight) to the coefficients of mean and gradient.
 /// @param by_nearest the mean is that of the nearest donors.
 template <int Dim>
 void solve(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors, bool by_nearest) {
-  double total = 0;
-  Vec<Dim> first;
-  Matrix<Dim> second{};
-  const auto begin = donors.begin() + wall.first_donor, end = begin + wall.donors;
-  for (auto it = begin; it != end; ++it) {
-    total += it->weight;
-    for (int d = 0; d < Dim; ++d) {
-      first[d] += it->weight * it->slope_weight[d];
-      for (int e = d; e < Dim; ++e) second[d][e] += it->weight * it->slope_weight[d] * it->slope_weight[e];
-    }
-  }
-  const Vec<Dim> mean = first * (1 / total);
+  Donor<Dim>* const first = donors.data() + wall.first_donor;
+  Moments<Dim> sums;
+  find_moments<Dim>(first, wall.donors, sums);
+  Matrix<Dim>& second = sums.second;
+  const Vec<Dim> mean = sums.first * (1 / sums.total);
   for (int d = 0; d < Dim; ++d)
-    for (int e = d; e < Dim; ++e) second[d][e] = second[e][d] = second[d][e] - total * mean[d] * mean[e];
-  const Matrix<Dim> a = damped_inverse<Dim>(second, fit_ridge * total);
-  wall.donor_centre = by_nearest ? Vec<Dim>{} : mean;
-  double nearest = 0;
-  for (auto it = begin; it != end; ++it) {
-    const Vec<Dim> at = it->slope_weight, x = at - mean;
-    for (int d = 0; d < Dim; ++d) it->slope_weight[d] = it->weight * dot(a[d], x);
-    if (!by_nearest) continue;
-    it->weight *= std::exp(-decay_nearest * dot(at, at));
-    nearest += it->weight;
-    wall.donor_centre += it->weight * at;
+    for (int e = d; e < Dim; ++e) second[d][e] = second[e][d] = second[d][e] - sums.total * mean[d] * mean[e];
+  const Matrix<Dim> a = damped_inverse<Dim>(second, fit_ridge * sums.total);
+  double weights = sums.total;
+  if (by_nearest) {
+    weights = 0;
+    wall.donor_centre = {};
+    for (Donor<Dim>* it = first; it != first + wall.donors; ++it) {
+      const Vec<Dim> at = it->slope_weight, x = at - mean;
+      for (int d = 0; d < Dim; ++d) it->slope_weight[d] = it->weight * dot(a[d], x);
+      it->weight *= std::exp(-decay_nearest * dot(at, at));
+      weights += it->weight;
+      wall.donor_centre += it->weight * at;
+    }
+    wall.donor_centre *= 1 / weights;
+  } else {
+    wall.donor_centre = mean;
+    set_slope_weights<Dim>(a, mean, wall.donors, first);
   }
-  if (by_nearest) wall.donor_centre *= 1 / nearest;
-  for (auto it = begin; it != end; ++it) it->weight /= by_nearest ? nearest : total;
+  for (Donor<Dim>* it = first; it != first + wall.donors; ++it) it->weight /= weights;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "kernels/row_kernels.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -88,6 +89,19 @@ template <How how>
   return rough_plus + rough_minus;
 }
 
+/// Whether what a row of cells reads along its axis is +0 everywhere, bit by bit. Where something is there,
+/// the ends and the middle of the row mostly say so.
+[[gnu::always_inline]] inline bool all_zero(const double* q, std::ptrdiff_t step, int count) {
+  if (q[0] != 0 || q[count / 2] != 0 || q[count - 1] != 0) return false;
+  for (std::ptrdiff_t s = -2; s <= 2; ++s) {
+    std::uint64_t any = 0;
+#pragma omp simd reduction(| : any)
+    for (int i = 0; i < count; ++i) any |= std::bit_cast<std::uint64_t>(q[i + s * step]);
+    if (any != 0) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 SmoothCells find_smooth(const std::uint8_t* never_yields, std::ptrdiff_t step, int count,
@@ -104,6 +118,10 @@ SmoothCells find_smooth(const std::uint8_t* never_yields, std::ptrdiff_t step, i
 RECOIL_MULTIVERSION
 void reconstruct_plain(const double* q, std::ptrdiff_t step, int count, double least, SmoothCells cells,
                        RowEnds ends) {
+  if (all_zero(q, step, count)) {  // as plastic strain in matter that has not yielded
+    for (int i = 0; i < count; ++i) ends.low[i] = ends.high[i] = 0;
+    return;
+  }
   reconstruct_row(cells, count, [&](auto how, int i, bool smooth) RECOIL_INLINE {
     double rough = 0;
     const Ends at = ends_of<how()>([&](std::ptrdiff_t k) { return q[i + k]; }, step, least, smooth, rough);
@@ -334,6 +352,13 @@ void add_difference(int count, const double* low, const double* below, const dou
                     const double* above, double* out) {
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) out[i] += low[i] * below[i] - high[i] * above[i];
+}
+
+RECOIL_MULTIVERSION
+void set_difference(int count, const double* low, const double* below, const double* high,
+                    const double* above, double* out) {
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) out[i] = 0.0 + (low[i] * below[i] - high[i] * above[i]);
 }
 
 RECOIL_MULTIVERSION

@@ -140,6 +140,10 @@ void take_upwind(int count, const double* left, const double* right, const doubl
 void add_difference(int count, const double* low, const double* below, const double* high,
                     const double* above, double* out);
 
+/// out[i] = 0 + (low[i] below[i] - high[i] above[i]): as if it had been 0, to the sign of a zero.
+void set_difference(int count, const double* low, const double* below, const double* high,
+                    const double* above, double* out);
+
 /// out[i] += factor a[i].
 void add_scaled(int count, double factor, const double* a, double* out);
 

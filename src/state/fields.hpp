@@ -100,10 +100,14 @@ constexpr auto field_declarations() {
               false, R::finest_only, P::finest_only, false, Field::count, true}};
 }
 
+/// Made by the compiler: a step goes through them some 50 times.
+template <int Dim>
+inline constexpr auto declared_fields = field_declarations<Dim>();
+
 /// Calls f(declaration) for every field.
 template <int Dim, class F>
 constexpr void for_each_field(F&& f) {
-  std::apply([&](const auto&... declaration) { (f(declaration), ...); }, field_declarations<Dim>());
+  std::apply([&](const auto&... declaration) { (f(declaration), ...); }, declared_fields<Dim>);
 }
 
 /// Calls f(array) for the one array of a field, or for the several of a geometry and of donors.

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+
 namespace recoil::detail {
 namespace {
 
@@ -44,6 +48,48 @@ TEST(ShearWaves, HalfOfTheJumpOfStressDrivesHalfTheVelocity) {
   EXPECT_DOUBLE_EQ(part.speed, 0.5 * whole.speed);
   EXPECT_EQ(part.momentum, whole.momentum) << "the star stress is the same";
   EXPECT_DOUBLE_EQ(part.power, 0.5 * whole.power) << "work is the star stress times the star velocity";
+}
+
+/// The values of a row at its faces, of cells that are 0 but for one.
+struct Ends5 {
+  static constexpr int count = 12, beyond = 2;
+  std::array<double, count> low{}, high{};
+
+  Ends5(double value, int at) {
+    std::array<double, count + 2 * beyond> q{};
+    q[static_cast<std::size_t>(at + beyond)] = value;
+    reconstruct_plain(q.data() + beyond, 1, count, 1e-12, {}, {low.data(), high.data()});
+  }
+  bool zero_at(int i) const {
+    const auto k = static_cast<std::size_t>(i);
+    return low[k] == 0 && high[k] == 0 && !std::signbit(low[k]) && !std::signbit(high[k]);
+  }
+};
+
+TEST(PlainValues, OfARowOfZerosAreZero) {
+  const Ends5 zero(0, 0);
+  for (int i = 0; i < Ends5::count; ++i) EXPECT_TRUE(zero.zero_at(i));
+}
+
+TEST(PlainValues, SeeWhatIsTwoCellsBeyondARowOfZeros) {
+  for (const int at : {-2, Ends5::count + 1}) {
+    const Ends5 one(1e-3, at);
+    int changed = 0;
+    for (int i = 0; i < Ends5::count; ++i) changed += one.zero_at(i) ? 0 : 1;
+    EXPECT_EQ(changed, 1) << "cell " << at;
+  }
+}
+
+TEST(Differences, SetAsIfAddedToZero) {
+  const double area = 0, flux = 1;
+  double set = 7, added = 0;
+  set_difference(1, &area, &flux, &area, &flux, &set);
+  add_difference(1, &area, &flux, &area, &flux, &added);
+  EXPECT_EQ(set, 0);
+  const double minus = -1;
+  set_difference(1, &area, &minus, &area, &flux, &set);
+  add_difference(1, &area, &minus, &area, &flux, &added);
+  EXPECT_EQ(std::signbit(set), std::signbit(added)) << "0 + -0 is 0";
 }
 
 }  // namespace
