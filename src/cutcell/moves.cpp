@@ -328,7 +328,8 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
     const Index<Dim> i = p.window.box().index(senders[s]);
     if (!p.window.inner().contains(i)) continue;
     const Transfer<Dim> t = decide(i);
-    if (std::abs(t.volume) > counted_excess * p.full(i)) ++(t.any ? counters.volume_bounds : counters.volume_bounds_left);
+    if (std::abs(t.volume) > counted_excess * p.full(i))
+      ++(t.any ? counters.volume_bounds : counters.volume_bounds_left);
   }
   transfer<Dim>(p, b, senders, count, scratch, decide);
 }

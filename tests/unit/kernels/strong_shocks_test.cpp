@@ -20,9 +20,9 @@ struct Shocked {
   std::array<double, looked_at> kept{};
   bool any = false;
 
-  /// @param strength change of the stress from the fourth cell to the sixth, of rho c^2. @param closing change
-  /// of the velocity [m/s]. @param lone a cell without its own average. @param compression change of the
-  /// density, of rho. @param frame velocity of all [m/s].
+  /// @param strength change of the stress from the fourth cell to the sixth, of rho c^2. @param closing
+  /// change of the velocity [m/s]. @param lone a cell without its own average. @param compression change of
+  /// the density, of rho. @param frame velocity of all [m/s].
   explicit Shocked(double strength, double closing = 1, int lone = -1, double compression = 0,
                    double frame = 0) {
     for (std::size_t i = 0; i < cells; ++i) {
