@@ -20,8 +20,8 @@ struct ShockRow {
 /// heat behind, the more the fewer cells it is wide; flattened values make it wider (Colella & Woodward, J.
 /// Comput. Phys. 54 (1984) 174, appendix: flattening). Here it is strong where, over two cells in
 /// compression, the stress along the axis changes by more than `shock_onset` of rho c_L^2 of the softer side;
-/// one that is slow on the mesh from `slow_onset` on. A cell with ghost values in reach may become first order
-/// in a strong shock, any other keeps `least_slope` of its differences. docs/decisions/0046, 0051.
+/// one that is slow on the mesh from `slow_onset` on. A cell with ghost values in reach may become first
+/// order in a strong shock, any other keeps `least_slope` of its differences. docs/decisions/0046, 0051.
 /// @param kept out, [count]. @returns whether any is below 1.
 bool find_strong_shocks(const ShockRow& row, int count, double* kept);
 
