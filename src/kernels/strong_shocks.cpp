@@ -10,8 +10,8 @@ namespace recoil::detail {
 
 namespace {
 
-// Changes of stress over two cells, of rho c_L^2, from which on a shock is strong, and wholly so; and one that
-// is slow on the mesh.
+// Changes of stress over two cells, of rho c_L^2, from which on a shock is strong, and wholly so; and one
+// that is slow on the mesh.
 constexpr double shock_onset = 0.1, shock_full = 0.2, slow_onset = 0.02, slow_full = 0.05;
 // Speeds over the mesh, of c_L, up to which a shock is slow, and from which on it is not.
 constexpr double slow_speed = 0.4, fast_speed = 0.8;
