@@ -27,6 +27,8 @@ void borrow_wall_values(const BodyBlock<Dim>& b, Work<Dim>& w) {
   }
 }
 
+// NOLINTBEGIN(readability-non-const-parameter): what depends on the dimension is written to
+
 /// Takes the widening of a cell off both r-columns of the gradient and the hoop stress off the radial force
 /// (theory: axisymmetry); the divergence keeps the raw r-weighted sums. `plane`: area of the fragment in the
 /// (r, z) plane.
@@ -137,6 +139,7 @@ template <int Dim>
     });
   });
 }
+// NOLINTEND(readability-non-const-parameter)
 
 /// stress_rate() of a row of cells.
 template <int Dim>
