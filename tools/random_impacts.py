@@ -10,9 +10,10 @@ METALS = ("aluminium/6061-t6", "copper/ofhc-johnson-cook", "steel/4340", "tantal
           "copper/steinberg")
 OTHERS = ("polymer/pmma", "polymer/nylon", "polymer/ptfe", "ice/water", "water/liquid", "rock/granite", "alumina/ad-995",
           "alumina/99.5-johnson-holmquist", "copper/pressed-powder")
-TENSION = {  # GPa of the tensile damage, of the materials of that folder: round numbers, no data
-    "aluminium": 1.0, "copper": 1.5, "steel": 2.5, "iron": 2.0, "tantalum": 5.0, "tungsten-alloy": 1.5, "lead": 0.5, "titanium": 3.0,
-    "magnesium": 0.8, "gold": 1.5, "polymer": 0.15, "alumina": 0.3, "ice": 0.01, "rock": 0.1, "water": 0.05,
+TENSION = {  # GPa at which materials of that folder break: round numbers, no data of these materials
+    "aluminium": 1.0, "copper": 1.5, "steel": 2.5, "iron": 2.0, "tantalum": 5.0, "tungsten": 1.5, "tungsten-alloy": 1.5, "lead": 0.5,
+    "titanium": 3.0, "magnesium": 0.8, "gold": 1.5, "platinum": 2.0, "polymer": 0.15, "alumina": 0.3, "ice": 0.01, "rock": 0.1,
+    "water": 0.05,
 }
 CELLS = {"planar": 0.25, "axisymmetric": 0.25, "3d": 0.5}  # mm
 AXES = {  # extents of the domain [mm]
@@ -66,7 +67,7 @@ def spatial_striker(rng, gap):
 
 
 def bodies(rng, geometry, periodic):
-    """Shapes of striker, target and a third body, that touches the target."""
+    """Shapes of striker, target and a third body that touches the target."""
     gap = rng.choice((0.05, 0.6))
     if geometry == "planar":
         wide = 20 if periodic else 10
@@ -94,12 +95,16 @@ def head(rng, number, geometry, periodic, end):
     return text + f'\n[output]\nreport = false\nfields = {{ every = "{end:.3g} us" }}\n\n'
 
 
+def damage_line(material):
+    """The key that lets a material break by tension."""
+    return f'damage = {{ kind = "tensile", threshold = "{TENSION[material.split("/")[0]]} GPa", exponent = 1, time = "0.02 us" }}\n'
+
+
 def material_table(rng, name):
     material = rng.choice(METALS if rng.random() < 0.8 else OTHERS)
     text = f'[material.{name}]\nbase = "{material}"\n'
-    tension = TENSION[material.split("/")[0]]
     if "johnson-holmquist" not in material and rng.random() < 0.7:  # that one has a damage of its own
-        text += f'damage = {{ kind = "tensile", threshold = "{tension} GPa", exponent = 1, time = "0.02 us" }}\n'
+        text += damage_line(material)
     return text + "\n"
 
 
