@@ -190,6 +190,41 @@ class Resume(unittest.TestCase):
             self.finish(run)
             self.same(run)
 
+    def test_asked_to_stop_with_two_processes(self):
+        """By a signal to the launcher alone, or as Ctrl-C at a terminal sends it, to its process group; at any moment."""
+        for n, (request, send) in enumerate(
+            [(signal.SIGINT, os.kill), (signal.SIGINT, os.killpg), (signal.SIGTERM, os.kill), (signal.SIGTERM, os.killpg)]
+        ):
+            run = self.folder / f"two_{n}"
+            process = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-n", "2", "-j", "1"],
+                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
+            time.sleep((0.1, 0.8, 0.4, 1.2)[n] * self.duration)
+            send(process.pid, request)
+            said = process.communicate()[0]
+            self.assertEqual(process.returncode, 75, said)
+            self.assertIn(f"`recoil resume {run}` goes on", said)
+            self.assertTrue(list((run / "checkpoints").glob("*.h5")))
+            self.finish(run, "-j", "2")
+            self.same(run)
+
+    def test_a_second_interrupt_ends_all_processes(self):
+        run = self.folder / "twice"
+        process = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-n", "2", "-j", "1"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        while not (run / "status.json").exists():
+            time.sleep(0.01)
+        status = pathlib.Path(f"/proc/{process.pid}/status")
+        catches = lambda: int(status.read_text().split("SigCgt:")[1].split()[0], 16) >> (signal.SIGINT - 1) & 1
+        self.assertTrue(catches())
+        process.send_signal(signal.SIGINT)
+        while catches():  # until it has taken note of the first
+            pass
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(), -signal.SIGINT)
+        self.wait_for_the_end(run)
+        self.finish(run)
+        self.same(run)
+
     def test_a_pipe_without_a_reader_and_nohup(self):
         run = self.folder / "pipe"
         with subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "-j", "1"], stdout=subprocess.PIPE,

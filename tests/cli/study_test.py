@@ -3,9 +3,13 @@
 
 import csv
 import json
+import os
+import signal
+import subprocess
+import time
 import unittest
 
-from program import FLYER, Program, recoil
+from program import FLYER, PROGRAM, Program, recoil
 
 
 class Study(Program):
@@ -28,6 +32,35 @@ class Study(Program):
         self.assertIn("| order |", (self.folder / "study" / "study.md").read_text())
         self.assertEqual((self.folder / "study" / "error.png").read_bytes()[:4], b"\x89PNG")
         self.assertFalse((self.folder / "study" / "rear_velocity.png").exists(), "no curve is expected")
+
+    def test_interrupted_it_goes_on_where_it_stopped(self):
+        words = ["study", self.case(), "--mesh", "0.2mm,0.05mm,0.1mm", "--quantity", "gauge.rear.velocity.max"]
+        out = self.folder / "study"
+        with subprocess.Popen([PROGRAM, *map(str, words), "-o", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              start_new_session=True) as process:  # fmt: skip
+            self.assertIn("mesh_0.2mm ... done", process.stdout.readline())
+            while not (out / "mesh_0.05mm" / "gauges").exists():
+                time.sleep(0.01)
+            os.killpg(process.pid, signal.SIGINT)
+            said = process.communicate()
+        self.assertEqual(process.returncode, 75, said)
+        self.assertIn("mesh_0.05mm ... stopped", said[0])
+        self.assertIn("of 3 runs 1 are done, 1 stopped with a checkpoint, 1 were not begun", said[1])
+        self.assertFalse((out / "study.md").exists())
+        again = recoil(*words, "-o", out)
+        self.expect(again, 0, "mesh_0.2mm ... finished before", "mesh_0.05mm ... done")
+        self.assertIn("goes on from", (out / "mesh_0.05mm" / "run.log").read_text())
+        self.expect(recoil(*words, "-o", self.folder / "whole"), 0)
+        self.assertEqual((out / "study.csv").read_text(), (self.folder / "whole" / "study.csv").read_text())
+
+    def test_without_a_reader_it_goes_on_to_its_table(self):
+        with subprocess.Popen([PROGRAM, "study", self.case(), "--mesh", "0.4mm,0.2mm,0.1mm", "-o", self.folder / "study"],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:  # fmt: skip
+            self.assertIn("mesh_0.4mm", process.stdout.readline())
+            process.stdout.close()
+            self.assertEqual(process.stderr.read(), "")
+        self.assertEqual(process.returncode, 0)
+        self.assertTrue((self.folder / "study" / "study.md").exists())
 
     def test_draws_records_over_their_reference(self):
         (self.folder / "curve.csv").write_text("time [us],speed [m/s]\n0,0\n6,20\n")

@@ -3,9 +3,12 @@
 
 import csv
 import os
+import signal
+import subprocess
+import time
 import unittest
 
-from program import Program, recoil
+from program import PROGRAM, Program, recoil
 
 # Half a microsecond on 0.4 mm: a run takes about a quarter of a second.
 QUICK = [("end = \"6 us\"", "end = \"1.2 us\""), ('finest = "0.05 mm"', 'finest = "0.4 mm"')]
@@ -48,6 +51,33 @@ class Sweep(Program):
         self.assertEqual(summary.stat().st_mtime_ns, before)
         (self.out / rows[1]["run"] / "quantities.csv").unlink()  # as of a run that was killed
         self.expect(self.sweep(*words), 0, "3 of them finished before")
+
+    def test_interrupted_it_goes_on_where_it_stopped(self):
+        words = ["sweep", self.case(), "--set", SPEED + "200m/s:500m/s:4", "--quantity", "gauge.rear.velocity.max", "-j", "1"]
+        for number, (request, send) in enumerate([(signal.SIGINT, os.killpg), (signal.SIGTERM, os.kill)]):
+            out = self.folder / f"out_{number}"
+            with subprocess.Popen([PROGRAM, *map(str, words), "-o", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                  text=True, start_new_session=True) as process:  # fmt: skip
+                self.assertIn("[1/4]", process.stdout.readline())
+                while len(list(out.glob("*/gauges"))) < 2:
+                    time.sleep(0.01)
+                send(process.pid, request)
+                said = process.communicate()
+            self.assertEqual(process.returncode, 75, said)
+            self.assertIn("of 4 runs 1 are done, 1 stopped with a checkpoint, 2 were not begun", said[1])
+            self.assertFalse((out / "sweep.csv").exists())
+            self.expect(recoil(*words, "-o", out), 0, "1 of them finished before")
+            self.assertEqual(len([log for log in out.glob("*/run.log") if "goes on from" in log.read_text()]), 1)
+        self.assertEqual(*[(self.folder / f"out_{n}" / "sweep.csv").read_text() for n in (0, 1)])
+
+    def test_without_a_reader_it_goes_on_to_its_table(self):
+        with subprocess.Popen([PROGRAM, "sweep", self.quick, "-o", self.out, "--set", SPEED + "200m/s:400m/s:3", "-j", "1"],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:  # fmt: skip
+            self.assertIn("[1/3]", process.stdout.readline())
+            process.stdout.close()
+            self.assertEqual(process.stderr.read(), "")
+        self.assertEqual(process.returncode, 0)
+        self.assertEqual(len(table(self.out / "sweep.csv")), 3)
 
     def test_without_a_choice_all_that_a_run_has(self):
         self.expect(self.sweep("--set", SPEED + "200m/s:300m/s:2"), 0, "gauge.rear.velocity.peak")

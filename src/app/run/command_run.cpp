@@ -20,6 +20,7 @@
 #include "app/run/checkpoint_folder.hpp"
 #include "app/run/run_folder.hpp"
 #include "app/run/simulation.hpp"
+#include "app/run/stop_request.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
 
@@ -159,7 +160,7 @@ int start(const Options& options, const LoadedCase& loaded, SimulationOptions& s
   if (options.ranks > 1 && !launched()) {
     check_ranks(options.ranks);
     if (isatty(STDOUT_FILENO)) setenv(terminal_mark, "1", 1);
-    become_mpirun(options.ranks, arguments_of(options));
+    return run_mpirun(options.ranks, arguments_of(options));
   }
   if (speaks() && !options.quiet && !loaded.found.list().empty())
     fmt::print(stderr, "{}", loaded.found.text());
@@ -206,6 +207,7 @@ std::filesystem::path find_checkpoint(const ResumeOptions& options) {
 }  // namespace
 
 int run(const RunOptions& options) {
+  if (launched()) watch_stop_signals();  // the launcher takes the death of a process for a failure
   SimulationOptions simulation;
   simulation.overrides = options.overrides;
   if (!options.end.empty()) simulation.overrides.push_back("time.end=" + options.end);
@@ -220,6 +222,7 @@ int run(const RunOptions& options) {
 }
 
 int resume(const ResumeOptions& options) {
+  if (launched()) watch_stop_signals();
   SimulationOptions simulation;
   simulation.folder = options.folder;
   simulation.checkpoint = find_checkpoint(options);

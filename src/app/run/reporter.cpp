@@ -39,6 +39,13 @@ std::string text_of(const Progress& now, double time, long step, double wall, bo
 
 }  // namespace
 
+bool tell(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
+    return true;
+  if (std::freopen("/dev/null", "w", stdout) == nullptr) std::clearerr(stdout);
+  return false;
+}
+
 Reporter::Reporter(Display display, bool speaks, const std::filesystem::path& log, bool goes_on)
     : display_(display), speaks_(speaks), log_(nullptr, &std::fclose), start_(Clock::now()) {
   next_ = start_ + live_every;
@@ -51,10 +58,7 @@ Reporter::Reporter(Display display, bool speaks, const std::filesystem::path& lo
 Reporter::~Reporter() { clear(); }
 
 void Reporter::show(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
-  // Whoever read has gone (a closed pipe, a terminal that hung up), and the run goes on: run.log has it all.
-  if (std::freopen("/dev/null", "w", stdout) == nullptr) std::clearerr(stdout);
-  display_ = Display::none;
+  if (!tell(text)) display_ = Display::none;
 }
 
 void Reporter::clear() {

@@ -22,6 +22,11 @@ struct Progress {
   double cells = 0;  // with matter
 };
 
+/// Prints to the standard output at once. Where whoever read it has gone (a closed pipe, a terminal that hung
+/// up), it goes nowhere from then on: what computes goes on, and its files have it all.
+/// @returns whether it could be printed.
+bool tell(const std::string& text);
+
 /// Prints the messages of a run to the terminal and to run.log. On processes that are silent it does
 /// nothing.
 class Reporter {

@@ -16,7 +16,9 @@
 #include "app/run/checkpoint_folder.hpp"
 #include "app/run/resolved_case.hpp"
 #include "app/run/run_quantities.hpp"
+#include "app/run/stop_request.hpp"
 #include "config/read_case.hpp"
+#include "core/build_info.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
 
@@ -26,21 +28,32 @@ namespace fs = std::filesystem;
 
 namespace {
 
+nlohmann::json summary_in(const fs::path& folder) {
+  const fs::path file = folder / "summary.json";
+  auto j = nlohmann::json::parse(text_of(file), nullptr, false);
+  if (!j.is_object()) throw InputError(fmt::format("{} cannot be read\n   = help: remove it", file.string()));
+  return j;
+}
+
 /// Exit code and verdict of a finished run.
-ChildResult told_by(const fs::path& summary) {
-  const auto j = nlohmann::json::parse(text_of(summary), nullptr, false);
-  if (!j.is_object())
-    throw InputError(fmt::format("{} cannot be read\n   = help: remove it", summary.string()));
-  return {j.value("exit", 0), false, j.value("verdict", ""), ""};
+ChildResult told_by(const fs::path& folder) {
+  const auto j = summary_in(folder);
+  return {j.value("exit", 0), false, j.value("verdict", "unknown"), ""};
+}
+
+bool is_done(const ChildRun& run) {
+  return has_quantities(run.folder) && is_of_case(run.folder, run.resolved) &&
+         summary_in(run.folder).value("version", "") == build_info::full_version;
 }
 
 std::vector<std::string> words_of(const ChildRun& run) {
   const bool goes_on = is_of_case(run.folder, run.resolved) && !fs::exists(run.folder / "summary.json") &&
                        !checkpoints_of(run.folder).empty();
-  if (goes_on) return {"resume", run.folder.string(), "--plain", "-j", "1"};
-  std::vector<std::string> words{
-      "run", run.case_file.string(), "-o", run.folder.string(), "--force", "--plain", "-j", "1"};
-  for (const std::string& change : run.overrides) words.insert(words.end(), {"--set", change});
+  std::vector<std::string> words{"resume", run.folder.string(), "--plain"};
+  if (!goes_on) words = {"run", run.case_file.string(), "-o", run.folder.string(), "--force", "--plain"};
+  if (run.threads > 0) words.insert(words.end(), {"-j", std::to_string(run.threads)});
+  for (const std::string& change : run.overrides)
+    if (!goes_on) words.insert(words.end(), {"--set", change});
   return words;
 }
 
@@ -51,7 +64,7 @@ void share_work(std::size_t items, int jobs, const std::function<void(std::size_
   std::exception_ptr failure;
   std::mutex failing;
   const auto labour = [&] {
-    for (std::size_t k = next++; k < items; k = next++) try {
+    for (std::size_t k = next++; k < items && !stop_requested(); k = next++) try {
         task(k);
       } catch (...) {
         const std::lock_guard lock(failing);
@@ -74,7 +87,23 @@ ChildRun checked_run(const fs::path& case_file, const std::vector<std::string>& 
   if (!loaded.found.has_errors()) check_logic(loaded);
   if (loaded.too_large) throw EnvironmentError(loaded.found.text());
   loaded.found.throw_if_errors();
-  return {case_file, folder, overrides, resolved_text(loaded)};
+  return {case_file, folder, overrides, resolved_text(loaded), 1};
+}
+
+bool cut_short(const std::vector<ChildResult>& results) {
+  return stop_requested() && std::ranges::any_of(results, [](const ChildResult& r) {
+           return !r.begun() || r.exit == exit_stopped;
+         });
+}
+
+std::string told_stopped(const std::vector<ChildResult>& results, const std::string& how) {
+  std::size_t done = 0, stopped = 0, failed = 0;
+  for (const ChildResult& r : results)
+    if (r.begun()) ++(r.problem.empty() ? done : r.exit == exit_stopped ? stopped : failed);
+  return fmt::format(
+      "stopped as asked: of {} runs {} are done, {} stopped with a checkpoint, {}{} were not begun; {}\n",
+      results.size(), done, stopped, failed > 0 ? fmt::format("{} failed, ", failed) : "",
+      results.size() - done - stopped - failed, how);
 }
 
 bool is_of_case(const fs::path& folder, const std::string& resolved) {
@@ -82,19 +111,20 @@ bool is_of_case(const fs::path& folder, const std::string& resolved) {
 }
 
 ChildResult run_or_reuse(const ChildRun& run) {
-  const fs::path summary = run.folder / "summary.json", log = run.folder.string() + ".log";
-  if (has_quantities(run.folder) && is_of_case(run.folder, run.resolved)) {
-    ChildResult before = told_by(summary);
+  const fs::path log = run.folder.string() + ".log";
+  if (is_done(run)) {
+    ChildResult before = told_by(run.folder);
     before.reused = true;
     return before;
   }
+  if (stop_requested()) return {};
   int code = exit_environment;
   try {
     code = run_child(words_of(run), log);
   } catch (const EnvironmentError&) {  // killed: the log is all that is known
     return {code, false, "failed", fmt::format("the run was ended from outside, see {}", log.string())};
   }
-  if (has_results(code)) return told_by(summary);
+  if (has_results(code)) return told_by(run.folder);
   return {code, false, code == exit_stopped ? "stopped" : "failed", why_no_results(code, log)};
 }
 

@@ -11,8 +11,8 @@
 /// Many runs for one command: each a process of its own, in a folder of its own.
 namespace recoil::app {
 
-/// Calls task(k) once for every k below `items`, so many at a time. After an exception nothing more is
-/// begun, and the first one is thrown again. @param jobs 0: one for each processor.
+/// Calls task(k) once for every k below `items`, so many at a time. After an exception, or a request to stop,
+/// nothing more is begun; the first exception is thrown again. @param jobs 0: one for each processor.
 void share_work(std::size_t items, int jobs, const std::function<void(std::size_t)>& task);
 
 /// A run that is wanted.
@@ -20,6 +20,7 @@ struct ChildRun {
   std::filesystem::path case_file, folder;
   std::vector<std::string> overrides;  // PATH=VALUE
   std::string resolved;                // the case as it will be computed
+  int threads = 1;                     // 0: as `recoil run` chooses
 };
 
 /// The same, with everything that can be known to be wrong found. @throws InputError, EnvironmentError.
@@ -34,14 +35,23 @@ struct ChildResult {
   int exit = 0;
   bool reused = false;  // it had been finished before
   std::string verdict;  // of summary.json; "failed" of a run without results
-  std::string problem;  // why there are no results; empty: there are
+  std::string problem;  // why there are no results; empty: there are, or it was not begun
+  bool begun() const { return !verdict.empty(); }
 };
+
+/// Whether a request to stop came before all of these were done.
+bool cut_short(const std::vector<ChildResult>& results);
+
+/// What has become of the runs of a command that was asked to stop: how many are done, how many stopped with
+/// a checkpoint, how many were not begun. @param how the command goes on.
+std::string told_stopped(const std::vector<ChildResult>& results, const std::string& how);
 
 /// What to say of a run that ended without results: its exit code, its first error and where its log is.
 std::string why_no_results(int code, const std::filesystem::path& log);
 
-/// Runs it on one thread, unless its folder holds the same run: a finished one is left alone, an interrupted
-/// one goes on from its checkpoint. What it prints goes to FOLDER.log.
+/// Runs it, unless its folder holds the same run of the same version: a finished one is left alone, an
+/// interrupted one goes on from its checkpoint. What it prints goes to FOLDER.log. After a request to stop
+/// nothing is begun.
 ChildResult run_or_reuse(const ChildRun& run);
 
 /// Finds gauges, bodies and pairs that quantities name and the case does not have. @param option that named

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <cstddef>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -12,9 +12,10 @@
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/launch.hpp"
 #include "app/load_case.hpp"
+#include "app/run/reporter.hpp"
 #include "app/run/run_quantities.hpp"
+#include "app/run/stop_request.hpp"
 #include "app/study/child_runs.hpp"
 #include "app/study/study_charts.hpp"
 #include "app/study/study_table.hpp"
@@ -77,19 +78,17 @@ struct Mesh {
   std::string name() const { return "mesh_" + size + (offset.empty() ? "" : "_offset_" + offset); }
 };
 
-/// Runs the case on it. @returns the exit code.
-int run_on(const Mesh& mesh, const StudyOptions& o, const fs::path& folder) {
-  std::vector<std::string> words{
-      "run",   find_case_file(o.file).string(), "-o", (folder / mesh.name()).string(), "--force", "--plain",
-      "--set", "mesh.finest=" + mesh.size};
-  if (!mesh.offset.empty()) words.insert(words.end(), {"--set", "mesh.offset=" + mesh.offset});
-  for (const std::string& change : o.overrides) words.insert(words.end(), {"--set", change});
-  const fs::path log = folder / (mesh.name() + ".log");
-  fmt::print("{} ...", mesh.name());
-  std::fflush(stdout);
-  const int code = run_child(words, log);
-  fmt::print(" {}\n", has_results(code) ? "done" : "FAILED with " + why_no_results(code, log));
-  return code;
+/// Runs the case on it.
+ChildResult run_on(const ChildRun& run) {
+  tell(fmt::format("{} ...", run.folder.filename().string()));
+  ChildResult result = run_or_reuse(run);
+  const bool stopped = result.exit == exit_stopped;
+  tell(!result.begun()          ? " not begun\n"
+       : result.reused          ? " finished before\n"
+       : result.problem.empty() ? " done\n"
+       : stopped                ? " stopped\n"
+                                : " FAILED with " + result.problem + "\n");
+  return result;
 }
 
 /// The values of an option, each once. @throws InputError.
@@ -103,18 +102,16 @@ void check_values(const std::vector<std::string>& texts, const char* unit, const
   }
 }
 
-/// The case as it is read on a mesh. @throws InputError, EnvironmentError where it cannot be run on it.
-void check_mesh(const Mesh& mesh, const StudyOptions& o) {
+/// The case on a mesh. @throws InputError, EnvironmentError where it cannot be run on it.
+ChildRun run_of(const Mesh& mesh, const StudyOptions& o, const fs::path& folder) {
   std::vector<std::string> changes{"mesh.finest=" + mesh.size};
   if (!mesh.offset.empty()) changes.push_back("mesh.offset=" + mesh.offset);
   changes.insert(changes.end(), o.overrides.begin(), o.overrides.end());
-  LoadedCase loaded = load_case(o.file, changes);
-  if (!loaded.found.has_errors()) check_logic(loaded);
-  if (loaded.too_large) throw EnvironmentError(loaded.found.text());
-  loaded.found.throw_if_errors();
+  ChildRun run = checked_run(find_case_file(o.file), changes, folder / mesh.name());
+  run.threads = 0;  // one after the other: each has all processors
+  return run;
 }
 
-/// All mistakes before the first run.
 std::vector<Mesh> meshes_of(const StudyOptions& o) {
   std::vector<Mesh> meshes;
   check_values(o.sizes, "m", "--mesh");
@@ -122,7 +119,6 @@ std::vector<Mesh> meshes_of(const StudyOptions& o) {
   for (const std::string& size : o.sizes)
     for (const std::string& offset : o.offsets.empty() ? std::vector<std::string>{""} : o.offsets)
       meshes.push_back({size, offset});
-  for (const Mesh& mesh : meshes) check_mesh(mesh, o);
   return meshes;
 }
 
@@ -146,35 +142,25 @@ void check_case(const StudyOptions& o, const LoadedCase& loaded, const std::vect
         "--quantity body.NAME.velocity.x, or write an [expect]");
 }
 
-}  // namespace
-
-int study(const StudyOptions& o) {
-  const LoadedCase loaded = load_case(o.file, o.overrides);
-  loaded.found.throw_if_errors();
-  std::vector<Asked> asked = asked_of(o, loaded.contents);
-  check_case(o, loaded, asked);
-  const std::vector<Mesh> wanted = meshes_of(o);
-  const fs::path folder = o.folder.empty()
-                              ? fs::path("runs") / (short_name(find_case_file(o.file)) + "_study")
-                              : fs::path(o.folder);
-  make_folder(folder);
+/// The table of the runs that are done. @returns 0, or the exit code of the last that has no results.
+int tabulate(const LoadedCase& loaded, std::vector<Asked> asked, const fs::path& folder,
+             const std::vector<Mesh>& meshes, const std::vector<ChildResult>& results) {
   StudyTable table{loaded.contents.title, {}, {}};
   int worst = exit_finished;
-  std::vector<StudyMesh> meshes;  // with the first of the shifts
-  for (const Mesh& mesh : wanted) {
-    const int code = run_on(mesh, o, folder);
+  std::vector<StudyMesh> drawn;  // with the first of the shifts
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const Mesh& mesh = meshes[k];
     StudyRun run{quantity(mesh.size, "m", "--mesh"),
                  mesh.offset.empty() ? 0 : quantity(mesh.offset, "1", "--offset"),
                  {}};
-    if (has_results(code)) {
+    if (results[k].problem.empty()) {
       const RunQuantities found = read_quantities(folder / mesh.name(), loaded.folder);
       if (asked.empty())
         for (const std::string& peak : peaks_of_gauges(found)) asked.push_back({peak, {}});
       run.values = values_in(found, asked);
-      if (meshes.empty() || meshes.back().size != mesh.size)
-        meshes.push_back({mesh.size, folder / mesh.name()});
+      if (drawn.empty() || drawn.back().size != mesh.size) drawn.push_back({mesh.size, folder / mesh.name()});
     } else {
-      worst = code;
+      worst = results[k].exit;
     }
     table.runs.push_back(std::move(run));
   }
@@ -183,10 +169,34 @@ int study(const StudyOptions& o) {
   const std::string text = study_markdown(table);
   write_atomically(folder / "study.md", text);
   write_atomically(folder / "study.csv", study_csv(table));
-  fmt::print("\n{}\n{}\n", text, (folder / "study.md").string());
-  for (const fs::path& png : write_study_charts(folder, table, meshes, loaded.folder))
-    fmt::print("{}\n", png.string());
+  tell(fmt::format("\n{}\n{}\n", text, (folder / "study.md").string()));
+  for (const fs::path& png : write_study_charts(folder, table, drawn, loaded.folder))
+    tell(png.string() + "\n");
   return worst;
+}
+
+}  // namespace
+
+int study(const StudyOptions& o) {
+  const LoadedCase loaded = load_case(o.file, o.overrides);
+  loaded.found.throw_if_errors();
+  const std::vector<Asked> asked = asked_of(o, loaded.contents);
+  check_case(o, loaded, asked);
+  const std::vector<Mesh> meshes = meshes_of(o);
+  const fs::path folder = o.folder.empty()
+                              ? fs::path("runs") / (short_name(find_case_file(o.file)) + "_study")
+                              : fs::path(o.folder);
+  std::vector<ChildRun> runs;  // all mistakes before the first of them
+  for (const Mesh& mesh : meshes) runs.push_back(run_of(mesh, o, folder));
+  make_folder(folder);
+  watch_stop_signals();
+  std::vector<ChildResult> results(runs.size());
+  for (std::size_t k = 0; k < runs.size() && !stop_requested(); ++k) results[k] = run_on(runs[k]);
+  if (cut_short(results)) {
+    fmt::print(stderr, "{}", told_stopped(results, "the same command goes on"));
+    return exit_stopped;
+  }
+  return tabulate(loaded, asked, folder, meshes, results);
 }
 
 }  // namespace recoil::app

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <mutex>
@@ -17,7 +16,9 @@
 #include "app/data_folder.hpp"
 #include "app/launch.hpp"
 #include "app/load_case.hpp"
+#include "app/run/reporter.hpp"
 #include "app/run/resolved_case.hpp"
+#include "app/run/stop_request.hpp"
 #include "app/study/child_runs.hpp"
 #include "app/study/verify_table.hpp"
 #include "core/error.hpp"
@@ -143,9 +144,8 @@ std::vector<VerifiedCase> run_all(const std::vector<Work>& work, const fs::path&
                                 : c.failures() == 0
                                     ? fmt::format("all {} met", c.values.size())
                                     : fmt::format("{} of {} FAILED", c.failures(), c.values.size());
-    fmt::print("[{}/{}] {}: {}{}, {:.3g} s of processor time\n", ++finished, work.size(), c.name, verdict,
-               c.doubts.empty() ? "" : ", doubtful", c.cpu_s);
-    std::fflush(stdout);
+    tell(fmt::format("[{}/{}] {}: {}{}, {:.3g} s of processor time\n", ++finished, work.size(), c.name,
+                     verdict, c.doubts.empty() ? "" : ", doubtful", c.cpu_s));
     results[order[k]] = std::move(c);
   });
   return results;
@@ -170,16 +170,24 @@ int verify(const VerifyOptions& o) {
   const std::vector<Work> work = choose(o);
   const fs::path folder = o.folder.empty() ? fs::path("runs/verify") : fs::path(o.folder);
   make_folder(folder);
+  watch_stop_signals();
   const std::vector<VerifiedCase> results = run_all(work, folder, o);
+  const auto undone = std::ranges::count_if(
+      results, [](const VerifiedCase& c) { return c.name.empty() || c.exit_code == exit_stopped; });
+  if (stop_requested() && undone > 0) {
+    fmt::print(stderr, "stopped as asked: {} of {} cases are done, with --reuse they are not run again\n",
+               results.size() - static_cast<std::size_t>(undone), results.size());
+    return exit_stopped;
+  }
   const std::string text = verify_markdown(results, o.overrides);
   write_atomically(folder / "verify.md", text);
   write_atomically(folder / "verify.csv", verify_csv(results));
   write_atomically(folder / "verify.json", verify_json(results));
   if (!o.write.empty()) write_atomically(o.write, text);
-  fmt::print("\n{}\n{}\n", text, (folder / "verify.md").string());
+  tell(fmt::format("\n{}\n{}\n", text, (folder / "verify.md").string()));
   const VerifyCount n = count(results);
-  fmt::print("{} cases, {} checks, {} against references, {} failed\n", n.cases, n.values, n.references,
-             n.failures);
+  tell(fmt::format("{} cases, {} checks, {} against references, {} failed\n", n.cases, n.values, n.references,
+                   n.failures));
   for (const VerifiedCase& c : results)
     if (!has_results(c.exit_code)) return c.exit_code;
   return n.failures > 0 ? exit_expectation_failed : exit_finished;

@@ -11,6 +11,8 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/load_case.hpp"
+#include "app/run/reporter.hpp"
+#include "app/run/stop_request.hpp"
 #include "app/sweep/sweep_runs.hpp"
 #include "config/diagnostics.hpp"
 #include "config/units.hpp"
@@ -110,15 +112,21 @@ void write_table(const Sweep& s, const SweepRuns& runs) {
   const std::string text = sweep_markdown(table, runs.shown());
   write_atomically(s.folder / "sweep.csv", sweep_csv(table));
   write_atomically(s.folder / "sweep.md", text);
-  fmt::print("\n{}\n{}: {} runs, {} of them finished before; {} quantities of each\n", text,
-             (s.folder / "sweep.csv").string(), table.rows.size(), runs.reused(), table.columns.size());
+  tell(fmt::format("\n{}\n{}: {} runs, {} of them finished before; {} quantities of each\n", text,
+                   (s.folder / "sweep.csv").string(), table.rows.size(), runs.reused(),
+                   table.columns.size()));
+}
+
+int tell_stopped(const SweepRuns& runs) {
+  fmt::print(stderr, "{}", runs.told_stopped());
+  return exit_stopped;
 }
 
 int tabulate(const Sweep& s) {
   SweepRuns runs(s.case_file, s.folder, s.question, s.jobs);
   for (const Combination& at : combinations_of(s.keys)) runs.add(s.keys, values_at(s.keys, at));
   make_folder(s.folder);
-  runs.compute();
+  if (!runs.compute()) return tell_stopped(runs);
   write_table(s, runs);
   return runs.worst();
 }
@@ -152,7 +160,7 @@ int find_thresholds(const Sweep& s) {
     }
     if (tries.empty()) break;
     if (first) make_folder(s.folder);
-    runs.compute();
+    if (!runs.compute()) return tell_stopped(runs);
     for (const Try& t : tries)
       if (runs.has_results(t.run))
         found[t.search].search.learn(t.x, runs.holds(t.run));
@@ -163,7 +171,7 @@ int find_thresholds(const Sweep& s) {
   write_table(s, runs);
   const std::string text = threshold_text(s.keys, s.along, s.question.condition.text, found);
   write_atomically(s.folder / "threshold.csv", threshold_csv(s.keys, s.along, found));
-  fmt::print("\n{}{}\n", text, (s.folder / "threshold.csv").string());
+  tell(fmt::format("\n{}{}\n", text, (s.folder / "threshold.csv").string()));
   const bool all = std::ranges::all_of(found, [](const FoundThreshold& f) { return f.search.changes() > 0; });
   return runs.worst() != 0 ? runs.worst() : all ? exit_finished : exit_expectation_failed;
 }
@@ -172,6 +180,7 @@ int find_thresholds(const Sweep& s) {
 
 int sweep(const SweepOptions& o) {
   const Sweep s = read(o);
+  watch_stop_signals();
   try {
     return s.searches() ? find_thresholds(s) : tabulate(s);
   } catch (const InputError& e) {  // that only results could show, such as the unit of a quantity

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <numeric>
 #include <utility>
 
+#include "app/run/reporter.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
 
@@ -46,10 +46,15 @@ std::size_t SweepRuns::add(const std::vector<SweptKey>& keys, const std::vector<
   return runs_.size() - 1;
 }
 
-void SweepRuns::compute() {
+bool SweepRuns::compute() {
   const std::size_t begin = computed_;
   computed_ = runs_.size();
   share_work(computed_ - begin, jobs_, [&](std::size_t k) { compute_one(begin + k, computed_); });
+  return !cut_short(results_);
+}
+
+std::string SweepRuns::told_stopped() const {
+  return app::told_stopped(results_, "the same command goes on");
 }
 
 void SweepRuns::compute_one(std::size_t n, std::size_t of) {
@@ -57,13 +62,13 @@ void SweepRuns::compute_one(std::size_t n, std::size_t of) {
   const std::lock_guard lock(speaking_);
   results_[n] = std::move(result);
   const ChildResult& r = results_[n];
+  if (!r.begun()) return;
   if (r.problem.empty())
     take(n);
   else
     worst_ = r.exit;
-  fmt::print("[{}/{}] {}: {}{}{}\n", ++told_, of, runs_[n].folder.filename().string(), r.verdict,
-             r.reused ? ", finished before" : "", r.problem.empty() ? "" : ", " + r.problem);
-  std::fflush(stdout);
+  tell(fmt::format("[{}/{}] {}: {}{}{}\n", ++told_, of, runs_[n].folder.filename().string(), r.verdict,
+                   r.reused ? ", finished before" : "", r.problem.empty() ? "" : ", " + r.problem));
 }
 
 void SweepRuns::take(std::size_t n) {

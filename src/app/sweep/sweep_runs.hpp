@@ -30,8 +30,11 @@ class SweepRuns {
   /// @throws InputError for a case that cannot be computed with them.
   std::size_t add(const std::vector<SweptKey>& keys, const std::vector<std::string>& values);
   /// Computes what was added since the last call, and prints a line for each.
+  /// @returns false: a request to stop came before all were done.
   /// @throws InputError for a quantity that the runs do not have.
-  void compute();
+  bool compute();
+  /// What has become of the runs then.
+  std::string told_stopped() const;
 
   /// 0, or the exit code of the last run without results.
   int worst() const { return worst_; }
