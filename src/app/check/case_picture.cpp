@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -98,18 +98,23 @@ Canvas plane_of_case(const config::Case& c, PictureFormat format) {
 
 }  // namespace
 
-void draw_case(const config::Case& c, const CasePictureOptions& o) {
+std::string draw_case(const config::Case& c, const CasePictureOptions& o) {
   const PictureFormat format = picture_format(o.file);
   if (c.domain.geometry != config::Geometry::space) {
     if (!(o.view.empty() && o.up.empty() && o.cut.empty()))
       throw InputError("--view, --up and --cut need a 3d case\n   = help: omit them");
     write_picture(o.file, plane_of_case(c, format));
-    return;
+    return "";
   }
-  const View view = read_view(o.view, o.up);
-  std::optional<SpacePlane> cut;
-  if (!o.cut.empty()) cut = read_cut(o.cut, view);
-  write_picture(o.file, view_of_case(c, view, cut));
+  CaseView v;
+  if (o.view.empty()) {
+    v = view_of_all_bodies(c, o.up, o.cut);
+  } else {
+    v.view = read_view(o.view, o.up);
+    if (!o.cut.empty()) v.cut = read_cut(o.cut, v.view);
+  }
+  write_picture(o.file, view_of_case(c, v));
+  return v.text;
 }
 
 }  // namespace recoil::app

@@ -13,7 +13,8 @@ struct CasePictureOptions {
 };
 
 /// Draws the bodies of a case at the start with its gauges and velocities; of a 3-D case a shaded view.
+/// @returns the direction of that view, as --view takes it, where it is not the usual one; else nothing.
 /// @throws InputError for another suffix, and for a view of a case that is not in space.
-void draw_case(const config::Case& c, const CasePictureOptions& options);
+std::string draw_case(const config::Case& c, const CasePictureOptions& options);
 
 }  // namespace recoil::app

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/check/case_marks.hpp"
+#include "app/plot/space_plotter.hpp"
 #include "core/error.hpp"
 #include "picture/space/space_picture.hpp"
 #include "problem/shape.hpp"
@@ -16,12 +18,15 @@ namespace recoil::app {
 
 namespace {
 
+constexpr double enough = 0.5;  // of a body that is seen
+
 /// The shapes of a case: they are exact, and known in all of the domain.
 class CaseScene : public Scene {
  public:
-  explicit CaseScene(const config::Case& c) : cell_(0.1 * c.mesh.finest) {
+  explicit CaseScene(const config::Case& c) : CaseScene(c, c.bodies) {}
+  CaseScene(const config::Case& c, std::span<const config::Body> bodies) : cell_(0.1 * c.mesh.finest) {
     box_ = {config::first_components<3>(c.domain.lo), config::first_components<3>(c.domain.hi)};
-    for (const config::Body& body : c.bodies) bodies_.push_back(signed_distance<3>(body.shape, c.domain));
+    for (const config::Body& body : bodies) bodies_.push_back(signed_distance<3>(body.shape, c.domain));
   }
 
   SpaceBox box() const override { return box_; }
@@ -68,7 +73,30 @@ std::vector<Seen> seen_parts(const SpaceRays& rays, const View& view, std::size_
   return seen;
 }
 
-/// Adds gauges and velocities; the note names bodies that move and are not seen.
+/// How much is seen of the bodies: the sum of the seen parts of each, where a half is enough.
+double how_much_is_seen(const config::Case& c, const CaseView& v) {
+  constexpr int rays_across = 120;
+  const CaseScene scene(c);
+  const std::optional<ViewWindow> window = window_of(scene, v.view, v.cut);
+  if (!window) return 0;
+  const double width = window->x1 - window->x0, height = window->y1 - window->y0;
+  Screen screen{rays_across, rays_across, std::max(width, height) / rays_across, {}};
+  screen.corner = v.view.right * window->x0 + v.view.up * window->y1 + v.view.forward * window->nearest;
+  const auto hits_of = [&](const Scene& bodies, std::size_t body) {
+    return std::ranges::count_if(cast_rays(bodies, v.view, screen, v.cut), [&](const Hit& h) {
+      return h.any() && static_cast<std::size_t>(h.body) == body;
+    });
+  };
+  double sum = 0;
+  for (std::size_t m = 0; m < c.bodies.size(); ++m) {
+    const auto alone = hits_of(CaseScene(c, std::span(c.bodies).subspan(m, 1)), 0);
+    if (alone > 0)
+      sum += std::min(enough, static_cast<double>(hits_of(scene, m)) / static_cast<double>(alone));
+  }
+  return sum;
+}
+
+/// Adds gauges and velocities; the note names bodies that are not seen.
 void add_marks(SpacePicture& p, const config::Case& c, const SpaceRays& rays) {
   const std::vector<Seen> seen = seen_parts(rays, p.view, c.bodies.size());
   for (const StartMotion& motion : start_motions(c)) {
@@ -76,19 +104,39 @@ void add_marks(SpacePicture& p, const config::Case& c, const SpaceRays& rays) {
     if (its.rays > 0)
       p.marks.push_back(
           {its.sum * (1.0 / its.rays), config::first_components<3>(motion.velocity), motion.label, true});
-    else
-      p.note += "; not seen: " + c.bodies[motion.body].name + ", " + motion.label;
   }
+  std::string hidden;
+  for (std::size_t m = 0; m < seen.size(); ++m)
+    if (seen[m].rays == 0) hidden += (hidden.empty() ? "; not seen: " : ", ") + c.bodies[m].name;
+  p.note += hidden;
   for (const GaugePlace& g : gauge_places(c))
     p.marks.push_back({config::first_components<3>(g.at), {}, g.name});
 }
 
 }  // namespace
 
-Canvas view_of_case(const config::Case& c, const View& view, const std::optional<SpacePlane>& cut) {
+CaseView view_of_all_bodies(const config::Case& c, const std::string& up, const std::string& cut) {
+  const auto seen_as = [&](const std::string& text) {
+    CaseView v{text, read_view(text, up), {}};
+    if (!cut.empty()) v.cut = read_cut(cut, v.view);
+    return v;
+  };
+  CaseView best = seen_as("");
+  const double all = enough * static_cast<double>(c.bodies.size());
+  double most = how_much_is_seen(c, best);
+  for (const char* text : {"35deg,24deg", "125deg,24deg", "-145deg,24deg", "-55deg,-24deg", "35deg,-24deg",
+                           "125deg,-24deg", "-145deg,-24deg"}) {
+    if (most >= all) break;
+    const CaseView v = seen_as(text);
+    if (const double seen = how_much_is_seen(c, v); seen > most) best = v, most = seen;
+  }
+  return best;
+}
+
+Canvas view_of_case(const config::Case& c, const CaseView& v) {
   const CaseScene scene(c);
-  SpacePicture p{.view = view, .cut = cut, .title = c.title, .note = "at the start"};
-  const std::optional<ViewWindow> window = window_of(scene, view, cut);
+  SpacePicture p{.view = v.view, .cut = v.cut, .title = c.title, .note = "at the start"};
+  const std::optional<ViewWindow> window = window_of(scene, v.view, v.cut);
   if (!window) throw InputError("nothing is left of the bodies\n   = help: another --cut");
   p.window = *window;
   const SpaceRays rays = rays_of(p, scene);

@@ -197,8 +197,12 @@ int check(const CheckOptions& options) {
     else
       print_report(r);
     if (!r.good()) code = r.loaded.too_large && code == exit_finished ? exit_environment : exit_bad_input;
-    if (!options.png.empty() && r.good())
-      draw_case(r.loaded.contents, {options.png, options.view, options.up, options.cut});
+    if (options.png.empty() || !r.good()) continue;
+    const std::string view =
+        draw_case(r.loaded.contents, {options.png, options.view, options.up, options.cut});
+    if (!options.json)
+      fmt::print("picture {}{}\n", options.png,
+                 view.empty() ? "" : ": --view=" + view + " shows more of the bodies than the usual view");
   }
   if (options.json) fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
   return code;
