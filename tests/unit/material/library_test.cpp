@@ -50,6 +50,21 @@ TEST(Library, EveryFileLoadsAndIsCited) {
   }
 }
 
+/// One brace that is missing hides all entries behind it.
+TEST(Library, EntriesOfTheBibliographyAreClosed) {
+  std::ifstream file(folder / "references.bib");
+  long depth = 0, entries = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with('@')) {
+      ++entries;
+      EXPECT_EQ(depth, 0) << "before " << line;
+    }
+    depth += std::ranges::count(line, '{') - std::ranges::count(line, '}');
+  }
+  EXPECT_EQ(depth, 0);
+  EXPECT_GE(entries, 50);
+}
+
 TEST(Library, ReadsValuesInSi) {
   const Found found = find("copper/seed");
   ASSERT_TRUE(found.material) << found.out.text();
