@@ -179,13 +179,19 @@ std::vector<std::string> keys_of(const Map& map) {
 
 }  // namespace
 
-std::optional<ReferenceCurve> reference_curve_of(const std::string& quantity) {
-  if (!quantity.starts_with("gauge.") || quantity.find(".error@") == std::string::npos) return std::nullopt;
+std::optional<ReferenceCurve> record_of(const std::string& quantity) {
+  if (!quantity.starts_with("gauge.")) return std::nullopt;
   const Request r = parse_request(quantity);
   const std::size_t first = r.argument.find(':'), last = r.argument.rfind(':');
-  if (first == last) return std::nullopt;
+  if (r.reduction != "error" || first == last) return ReferenceCurve{r.gauge, r.column, {}, {}};
   return ReferenceCurve{r.gauge, r.column, r.argument.substr(first + 1, last - first - 1),
                         r.argument.substr(last + 1)};
+}
+
+std::optional<ReferenceCurve> reference_curve_of(const std::string& quantity) {
+  if (quantity.find(".error@") == std::string::npos) return std::nullopt;
+  auto record = record_of(quantity);
+  return record && !record->file.empty() ? record : std::nullopt;
 }
 
 Measured measure(const Quantities& q, const std::string& name, bool as_flag) {

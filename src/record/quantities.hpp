@@ -47,14 +47,19 @@ struct Measured {
 /// cannot be read.
 Measured measure(const Quantities& quantities, const std::string& name, bool as_flag = false);
 
-/// The curve that a quantity gauge.NAME.COLUMN.error@FROM..TO:FILE:COLUMN compares a gauge with.
+/// The record that a quantity gauge.NAME.COLUMN... is read from, and the curve that
+/// gauge.NAME.COLUMN.error@FROM..TO:FILE:COLUMN compares it with.
 struct ReferenceCurve {
   std::string gauge, column;
-  std::filesystem::path file;  ///< as named: beside the case
+  std::filesystem::path file;  ///< as named: beside the case; empty: none
   std::string file_column;
 };
 
-/// Nothing for a quantity that names none.
+/// Nothing for a quantity of no gauge. @throws InputError for one that does not say which value of the
+/// record.
+std::optional<ReferenceCurve> record_of(const std::string& quantity);
+
+/// Nothing for a quantity that names no curve.
 std::optional<ReferenceCurve> reference_curve_of(const std::string& quantity);
 
 /// One expectation and what came out.

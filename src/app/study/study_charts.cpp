@@ -10,6 +10,7 @@
 #include "config/units.hpp"
 #include "format/csv.hpp"
 #include "picture/line_chart.hpp"
+#include "record/quantities.hpp"
 
 namespace recoil::app {
 
@@ -45,19 +46,20 @@ bool write_errors(const fs::path& png, const StudyTable& table) {
   return true;
 }
 
-/// "gauge.rear.velocity.error@3us..5us:reference.csv:velocity" taken apart.
-struct Comparison {
-  std::string gauge, column, file, reference;
-};
-
-bool take_apart(const std::string& quantity, Comparison& c) {
-  const std::size_t error = quantity.find(".error@"), colon = quantity.rfind(':');
-  if (!quantity.starts_with("gauge.") || error == std::string::npos || colon < error) return false;
-  const std::size_t file = quantity.find(':', error), dot = quantity.find('.', 6);
-  if (file == colon || dot >= error) return false;
-  c = {quantity.substr(6, dot - 6), quantity.substr(dot + 1, error - dot - 1),
-       quantity.substr(file + 1, colon - file - 1), quantity.substr(colon + 1)};
-  return true;
+/// The records that quantities are read from, each once, with the curve that one of them compares it with.
+std::vector<ReferenceCurve> records_of(const std::vector<std::string>& quantities) {
+  std::vector<ReferenceCurve> all;
+  for (const std::string& quantity : quantities) {
+    const auto record = record_of(quantity);
+    if (!record) continue;
+    const auto same = std::ranges::find_if(
+        all, [&](const ReferenceCurve& r) { return r.gauge == record->gauge && r.column == record->column; });
+    if (same == all.end())
+      all.push_back(*record);
+    else if (same->file.empty())
+      *same = *record;
+  }
+  return all;
 }
 
 Series curve_in(const CsvTable& table, const std::string& column, const CsvTable& like,
@@ -73,8 +75,8 @@ Series curve_in(const CsvTable& table, const std::string& column, const CsvTable
   return s;
 }
 
-void write_comparison(const fs::path& png, const Comparison& c, const StudyTable& table,
-                      const std::vector<StudyMesh>& meshes, const fs::path& case_folder) {
+void write_record(const fs::path& png, const ReferenceCurve& c, const StudyTable& table,
+                  const std::vector<StudyMesh>& meshes, const fs::path& case_folder) {
   LineChart chart;
   chart.title = table.title;
   chart.note = c.gauge;
@@ -89,7 +91,8 @@ void write_comparison(const fs::path& png, const Comparison& c, const StudyTable
     if (&mesh != &meshes.back()) continue;
     const Series& last = chart.series.back();
     if (!last.x.empty()) chart.x_range = {last.x.front(), last.x.back()};
-    Series reference = curve_in(read_csv(case_folder / c.file), c.reference, record, c.column, "reference");
+    if (c.file.empty()) continue;
+    Series reference = curve_in(read_csv(case_folder / c.file), c.file_column, record, c.column, "reference");
     reference.style = kReferenceStyle;
     chart.series.push_back(std::move(reference));
   }
@@ -103,11 +106,9 @@ std::vector<fs::path> write_study_charts(const fs::path& folder, const StudyTabl
   std::vector<fs::path> files;
   if (table.runs.empty() || meshes.empty()) return files;
   if (write_errors(folder / "error.png", table)) files.push_back(folder / "error.png");
-  for (const std::string& quantity : table.quantities) {
-    Comparison c;
-    if (!take_apart(quantity, c)) continue;
-    files.push_back(folder / fmt::format("{}_{}.png", c.gauge, c.column));
-    write_comparison(files.back(), c, table, meshes, case_folder);
+  for (const ReferenceCurve& record : records_of(table.quantities)) {
+    files.push_back(folder / fmt::format("{}_{}.png", record.gauge, record.column));
+    write_record(files.back(), record, table, meshes, case_folder);
   }
   return files;
 }

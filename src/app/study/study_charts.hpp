@@ -15,8 +15,8 @@ struct StudyMesh {
 };
 
 /// Draws what a study found into its folder: error.png, the error of each quantity against the size of the
-/// cells, and GAUGE_COLUMN.png for each expected distance of a record from a reference curve, all meshes and
-/// the reference over each other.
+/// cells, and GAUGE_COLUMN.png for each record that a quantity is read from, all meshes over each other, and
+/// the reference curve that an expected distance names.
 /// @param case_folder where the reference curves lie.
 /// @returns the files. @throws InputError for a record or reference that cannot be read.
 std::vector<std::filesystem::path> write_study_charts(const std::filesystem::path& folder,
