@@ -108,11 +108,11 @@ def outlines(reader, level_sets):
 
 
 def colour(display, association, array, view):
-    """By the array; grey where it has no value."""
+    """By the array; cells with too little matter for a value are not shown."""
     pv.ColorBy(display, (association, array))
     table = pv.GetColorTransferFunction(array)
     table.ApplyPreset("Viridis (matplotlib)", True)
-    table.NanColor = [0.75, 0.77, 0.79]
+    table.NanOpacity = 0
     display.SetScalarBarVisibility(view, True)
     bar = pv.GetScalarBar(table, view)
     bar.TitleColor = bar.LabelColor = INK
