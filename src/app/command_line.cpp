@@ -19,6 +19,7 @@
 #include "app/launch.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
 
 namespace recoil::app {
 
@@ -121,7 +122,7 @@ int report_usage(const Commands& commands, const CLI::ParseError& e, int argc, c
 int fail(ExitCode code, const std::string& text) {
   if (speaks()) {
     std::fflush(stdout);
-    fmt::print(stderr, "{}{}{}", text.starts_with("error") ? "" : "error: ", text,
+    fmt::print(stderr, "{}{}{}", text.starts_with("error") ? "" : "error: ", printable(text),
                text.ends_with('\n') ? "" : "\n");
   }
   return code;

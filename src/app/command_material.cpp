@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,8 +12,10 @@
 #include "app/commands.hpp"
 #include "app/data_folder.hpp"
 #include "app/named_material.hpp"
+#include "app/study/child_runs.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
+#include "format/json_files.hpp"
 #include "material/library.hpp"
 #include "material/lint.hpp"
 #include "material/ls_dyna.hpp"
@@ -26,7 +27,7 @@ namespace {
 
 /// Of all folders. @throws EnvironmentError where there are none.
 std::vector<std::string> all_names() {
-  std::vector<std::string> names = list_materials(material_folders());
+  std::vector<std::string> names = list_materials(material_folders("."));
   if (names.empty())
     throw EnvironmentError(
         fmt::format("there are no materials in {}\n   = help: set RECOIL_DATA to the folder that "
@@ -40,9 +41,9 @@ std::vector<std::string> all_names() {
 Material named_material(const std::string& name) {
   constexpr const char* asked = "command line";
   config::Diagnostics out;
-  const auto material = find_material(name, nullptr, material_folders(), out, {asked});
+  const auto material = find_material(name, nullptr, material_folders("."), out, {asked});
   if (material) return *material;
-  const std::string near = did_you_mean(name, list_materials(material_folders()));
+  const std::string near = did_you_mean(name, list_materials(material_folders(".")));
   for (const auto& d : out.list())
     if (d.place.file != asked) throw InputError(out.text());  // the file exists, and is wrong
   throw InputError(fmt::format("there is no material '{}'\n   = help: {}", name,
@@ -61,7 +62,7 @@ int list_library() {
 }
 
 int show_material(const std::string& name) {
-  fmt::print("# {}\n# {}\n{}", name, material_file(name, material_folders()).string(),
+  fmt::print("# {}\n# {}\n{}", name, material_file(name, material_folders(".")).string(),
              to_toml(named_material(name)));
   return 0;
 }
@@ -113,14 +114,25 @@ int import_material(const ImportOptions& o) {
   if (units == card_units().end())
     throw InputError(
         fmt::format("--units must be SI, g-mm-ms, g-cm-us, kg-mm-ms or t-mm-s, not {}", o.units));
-  std::ifstream file(o.file);
-  if (!file) throw InputError(fmt::format("cannot read {}", o.file));
-  std::stringstream text;
-  text << file.rdbuf();
-  ImportedMaterial found = import_cards(text.str(), *units);
-  found.material.title = "imported from " + std::filesystem::path(o.file).filename().string();
-  for (const std::string& part : found.left_out) fmt::print("# not taken over: {}\n", part);
-  fmt::print("{}", to_toml(found.material));
+  if (!std::filesystem::exists(o.file) || std::filesystem::is_directory(o.file))
+    throw InputError(fmt::format("there is no file {}\n   = help: give an LS-DYNA keyword file", o.file));
+  ImportedMaterial found = import_cards(text_of(o.file), *units, o.file);
+  const std::string name = std::filesystem::path(o.file).filename().string();
+  std::string& title = found.material.title;
+  title = title.empty() ? "imported from " + name : title + ", imported from " + name;
+  std::string text;
+  for (const std::string& part : found.left_out) text += fmt::format("# not taken over: {}\n", part);
+  text += to_toml(found.material);
+  if (o.out.empty()) {
+    fmt::print("{}", text);
+    return 0;
+  }
+  if (std::filesystem::exists(o.out))
+    throw InputError(fmt::format("{} exists\n   = help: give another name, or remove it first", o.out));
+  make_folder(std::filesystem::absolute(o.out).parent_path());
+  write_atomically(o.out, text);
+  fmt::print("{}\n", o.out);
+  for (const std::string& part : found.left_out) fmt::print("not taken over: {}\n", part);
   return 0;
 }
 

@@ -40,6 +40,12 @@ struct StatusOptions {
 };
 int status(const StatusOptions& options);
 
+struct ValueOptions {
+  std::string folder;                   // of the run
+  std::vector<std::string> quantities;  // none: all that the run has
+};
+int value(const ValueOptions& options);
+
 struct CheckOptions {
   std::vector<std::string> files;
   std::vector<std::string> overrides;
@@ -140,6 +146,7 @@ int lint_materials(const std::vector<std::string>& names);  // none: all
 struct ImportOptions {
   std::string file;   // of keywords
   std::string units;  // name of one of card_units()
+  std::string out;    // the material's file; empty: printed
 };
 int import_material(const ImportOptions& options);
 

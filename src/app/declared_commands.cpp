@@ -102,6 +102,7 @@ Commands::Commands() {
   add_run();
   add_resume();
   add_check();
+  add_value();
   add_plot();
   add_movie();
   add_report();
@@ -179,6 +180,16 @@ void Commands::add_check() {
   c->add_option("--up", check.up, "axis that points up in it (default: z)")->type_name("AXIS");
   c->add_option("--cut", check.cut, "plane that cuts bodies in it: what lies before it is left out")
       ->type_name("z=PLACE");
+}
+
+void Commands::add_value() {
+  CLI::App* c = command(top, "value", "print results of a run, as [expect] names them",
+                        [this] { return app::value(value); });
+  c->add_option("dir", value.folder, "folder of the run")->required()->type_name("DIR");
+  c->add_option(
+       "quantity", value.quantities,
+       "e.g. gauge.rear.velocity.mean@1us..2us, contact.flyer-target.opens (default: all that the run has)")
+      ->type_name("QUANTITY...");
 }
 
 void Commands::add_plot() {
@@ -300,6 +311,8 @@ void Commands::add_material() {
   i->add_option("--units", import_from.units, "of its numbers: SI, g-mm-ms, g-cm-us, kg-mm-ms or t-mm-s")
       ->required()
       ->type_name("UNITS");
+  i->add_option("-o,--output", import_from.out, "write the material to this file: materials/NAME.toml")
+      ->type_name("FILE");
   CLI::App* t =
       command(*m, "table", "write the equation of state of a material as a table in SESAME's text form",
               [this] { return tabulate_material(table); });

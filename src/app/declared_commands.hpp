@@ -15,6 +15,7 @@ struct Commands {
   CLI::App top{"Impact of solids: bodies collide, slide and separate.", "recoil"};
   RunOptions run;
   CheckOptions check;
+  ValueOptions value;
   PlotOptions plot;
   MovieOptions movie;
   ReportOptions report;
@@ -41,6 +42,7 @@ struct Commands {
   void add_run();
   void add_resume();
   void add_check();
+  void add_value();
   void add_plot();
   void add_movie();
   void add_report();

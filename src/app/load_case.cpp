@@ -1,6 +1,9 @@
 #include "app/load_case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include <system_error>
 #include <utility>
@@ -25,6 +28,16 @@ std::vector<std::string> shipped_cases() {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(data_folder() / "cases", error))
     if (fs::exists(entry.path() / "case.toml")) names.push_back(entry.path().filename().string());
+  return names;
+}
+
+/// Names of files in a folder that may be cases.
+std::vector<std::string> case_files_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -53,15 +66,22 @@ void add_table(LoadedCase& loaded, const Material& material, const config::Place
 fs::path find_case_file(const std::string& word) {
   if (fs::is_directory(word)) {
     if (fs::exists(fs::path(word) / "case.toml")) return fs::path(word) / "case.toml";
-    throw InputError(fmt::format("the folder {} has no case.toml", word));
+    const std::vector<std::string> files = case_files_in(word);
+    throw InputError(fmt::format(
+        "the folder {} has no case.toml\n   = help: {}", word,
+        files.empty() ? std::string("`recoil new --list` shows cases to start from")
+                      : fmt::format("give the case file itself; there are: {}", fmt::join(files, ", "))));
   }
   if (fs::exists(word)) return word;
   const fs::path shipped = data_folder() / "cases" / word / "case.toml";
   const bool is_name = word.find('/') == std::string::npos;
   if (is_name && fs::exists(shipped)) return shipped;
-  const std::string near = is_name ? did_you_mean(word, shipped_cases()) : "";
+  std::string near = fs::exists(word + ".toml") ? fmt::format("did you mean '{}.toml'?", word) : "";
+  if (near.empty())
+    near = did_you_mean(fs::path(word).filename().string(), case_files_in(fs::path(word).parent_path()));
+  if (near.empty() && is_name) near = did_you_mean(word, shipped_cases());
   throw InputError(
-      fmt::format("there is no case file {}\n   = help: {}", word,
+      fmt::format("there is no case file '{}'\n   = help: {}", word,
                   near.empty() ? "give a .toml file, a folder that holds case.toml, or the name of one in " +
                                      (data_folder() / "cases").string()
                                : near));
@@ -94,9 +114,27 @@ LoadedCase load_case(const std::string& word, const std::vector<std::string>& ov
   return loaded;
 }
 
+void require_folder(const fs::path& folder) {
+  if (fs::is_directory(folder)) return;
+  const fs::path whole = folder.has_filename() ? folder : folder.parent_path();
+  std::vector<std::string> beside;
+  std::error_code error;
+  for (const auto& entry :
+       fs::directory_iterator(whole.has_parent_path() ? whole.parent_path() : fs::path("."), error))
+    if (entry.is_directory()) beside.push_back(entry.path().filename().string());
+  const std::string near = did_you_mean(whole.filename().string(), beside);
+  throw InputError(
+      fmt::format("there is no folder {}\n   = help: {}", folder.string(),
+                  near.empty() ? "give the folder of a run; `recoil run` names it in its last lines" : near));
+}
+
 LoadedCase load_run(const fs::path& folder) {
   const fs::path resolved = folder / "case.resolved.toml";
-  if (!fs::exists(resolved)) throw InputError(fmt::format("{} is not the folder of a run", folder.string()));
+  if (!fs::exists(resolved))
+    throw InputError(
+        fmt::format("{} is not the folder of a run\n   = help: a run leaves case.resolved.toml there; the "
+                    "usual folder is runs/NAME",
+                    folder.string()));
   LoadedCase loaded = load_case(resolved.string(), {});
   loaded.found.throw_if_errors();
   return loaded;

@@ -39,6 +39,9 @@ LoadedCase load_case(const std::string& word, const std::vector<std::string>& ov
 /// InputError for a folder that holds no run.
 LoadedCase load_run(const std::filesystem::path& folder);
 
+/// @throws InputError where a folder does not exist, with those beside it whose names are near.
+void require_folder(const std::filesystem::path& folder);
+
 /// Checks that need more than single values, for cases without errors so far: more cells than the machine has
 /// memory for, fields and intervals that do not exist, bodies that overlap, lie outside the domain, are cut
 /// off or too thin, gauges off their body, doubtful materials, bodies that do not meet or meet too fast.

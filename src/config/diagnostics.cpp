@@ -8,33 +8,13 @@
 
 #include "config/text_faults.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
 
 namespace recoil::config {
 
 namespace {
 
 constexpr std::size_t widest_excerpt = 200, before_column = 80;  // characters of a line that are shown
-
-bool starts_character(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // not a UTF-8 continuation byte
-}
-
-/// The characters of a line. What a terminal would obey or could not show (control characters, bytes that are
-/// no UTF-8) is a question mark.
-std::vector<std::string> characters_of(std::string_view line) {
-  std::vector<std::string> all;
-  for (std::size_t k = 0; k < line.size();) {
-    std::size_t end = k + 1;
-    while (end < line.size() && !starts_character(line[end])) ++end;
-    const auto lead = static_cast<unsigned char>(line[k]);
-    const std::size_t bytes = lead < 0x80 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    const bool good = starts_character(line[k]) && lead < 0xF8 && end - k == bytes &&
-                      (lead >= 0x20 || lead == '\t') && lead != 0x7F;
-    if (starts_character(line[k])) all.push_back(good ? std::string(line.substr(k, end - k)) : "?");
-    k = end;
-  }
-  return all;
-}
 
 /// A line for people, and where its `column` has gone: of a long one only what is around it.
 struct Excerpt {
@@ -43,7 +23,7 @@ struct Excerpt {
 };
 
 Excerpt excerpt_of(std::string_view line, int column) {
-  const std::vector<std::string> all = characters_of(line);
+  const std::vector<std::string> all = printable_characters(line);
   const std::size_t at = std::min(static_cast<std::size_t>(column - 1), all.size());
   const bool cut = all.size() > widest_excerpt;
   const std::size_t first = cut ? std::min(at - std::min(at, before_column), all.size() - widest_excerpt) : 0;

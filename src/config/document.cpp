@@ -267,13 +267,18 @@ Document parse_document(std::string text, std::string name, Diagnostics& out) {
 
 Document read_document(const std::string& path, Diagnostics& out) {
   std::ifstream file(path, std::ios::binary);
-  std::string content(std::istreambuf_iterator<char>(file), {});
-  if (!file || file.bad() || std::filesystem::is_directory(path)) {
+  const bool readable = file && !std::filesystem::is_directory(path);
+  std::string content;
+  if (readable) content.assign(std::istreambuf_iterator<char>(file), {});
+  if (!readable || file.bad()) {
     Document doc;
     doc.name = path;
     doc.root.kind = Node::Kind::table;
     doc.complete = false;
-    out.error({path, 0, 0, 1}, "cannot read '" + path + "'", "give the path of a file, e.g. case.toml");
+    const bool is_folder = std::filesystem::is_directory(path);
+    out.error(
+        {path, 0, 0, 1}, "cannot read '" + path + "'" + (is_folder ? ": it is a folder" : ""),
+        is_folder ? "rename it, or put a file in its place" : "give the path of a file, e.g. case.toml");
     return doc;
   }
   return parse_document(std::move(content), path, out);

@@ -102,7 +102,7 @@ struct ValueReader {
     out.error(node.place,
               fmt::format("'{}' must be {} {}, but is {}", key.name, relation,
                           format_quantity(limit, unit == "%" ? "" : unit), node.text),
-              key.doc);
+              help_for(key));
   }
 
   void choice(const Node& node) const {

@@ -26,6 +26,12 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
+/// A cell or line in a message: of a long one its beginning.
+std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  return text.size() > longest ? std::string(text.substr(0, longest)) + "..." : std::string(text);
+}
+
 std::string header_line(const std::vector<std::string>& columns) {
   std::vector<std::string> names;
   for (const auto& name : columns) names.push_back(quoted(name));
@@ -80,7 +86,9 @@ bool parse_number(std::string_view text, double& value) {
 
 std::string whole_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(fmt::format("error: cannot read the table '{}'", path.string()));
+  if (!file || std::filesystem::is_directory(path))
+    throw InputError(fmt::format("error: cannot read the table '{}'\n   = help: {}", path.string(),
+                                 file ? "it is a folder, give a file" : "give the path of a CSV file"));
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
@@ -92,7 +100,8 @@ void add_row(CsvTable& table, std::string_view line, std::size_t number) {
   }
   if (cells.size() != table.columns.size())
     throw InputError(fmt::format("error: {} cells where the header has {} columns\n  --> {}:{}\n   | {}",
-                                 cells.size(), table.columns.size(), table.path.string(), number, line));
+                                 cells.size(), table.columns.size(), table.path.string(), number,
+                                 shown(line)));
   table.rows.push_back(std::move(cells));
   table.lines.push_back(number);
 }
@@ -203,8 +212,10 @@ std::vector<double> CsvTable::numbers(std::string_view name) const {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     double value = 0;
     if (!parse_number(rows[i][column], value))
-      throw InputError(fmt::format("error: '{}' in column '{}' is not a number\n  --> {}:{}", rows[i][column],
-                                   columns[column], path.string(), lines[i]));
+      throw InputError(fmt::format(
+          "error: '{}' in column '{}' is not a number\n  --> {}:{}\n   = help: the lines below the "
+          "header hold numbers with commas between them, nan where there is none",
+          shown(rows[i][column]), shown(columns[column]), path.string(), lines[i]));
     values.push_back(value);
   }
   return values;

@@ -86,6 +86,7 @@ void rename_over(const std::filesystem::path& temporary, const std::filesystem::
 
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
+  if (std::filesystem::is_directory(path)) return "";
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

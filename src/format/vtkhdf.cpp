@@ -178,7 +178,10 @@ void write_vtkhdf(const std::filesystem::path& path, const UnstructuredGrid& gri
 VtkhdfFile read_vtkhdf(const std::filesystem::path& path) {
   const QuietHdf5 quiet;
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (id < 0) throw InputError(fmt::format("error: cannot read the field file '{}'", path.string()));
+  if (id < 0)
+    throw InputError(fmt::format(
+        "error: cannot read the field file '{}'\n   = help: it is damaged or cut off: run the case again",
+        path.string()));
   const Hdf5Handle file(id, H5Fclose, "open a file");
   const Hdf5Handle root = open_group(file, "VTKHDF", path);
   VtkhdfFile result;

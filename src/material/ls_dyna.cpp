@@ -24,37 +24,75 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// The field of a card as a number; an empty one is 0.
-double number(std::string field, const std::string& keyword) {
+/// A line of the file, with what a message says of it.
+struct CardLine {
+  std::string keyword, file, text;
+  int number = 0;
+
+  [[noreturn]] void refuse(const std::string& what, const std::string& help) const {
+    throw InputError("error: " + what + "\n  --> " + file + ":" + std::to_string(number) + "\n   | " + text +
+                     "\n   = help: " + help);
+  }
+};
+
+/// The field of a card as a number; an empty one is 0. @param where "field 3", "columns 21 to 30".
+double number(std::string field, const CardLine& line, const std::string& where) {
   field.erase(std::remove_if(field.begin(), field.end(), [](unsigned char c) { return std::isspace(c); }),
               field.end());
   if (field.empty()) return 0;
   char* end = nullptr;
   const double value = std::strtod(field.c_str(), &end);
-  if (*end != '\0') throw InputError("'" + field + "' in " + keyword + " is no number");
+  if (*end != '\0')
+    line.refuse("'" + field + "' in " + line.keyword + ", " + where + ", is no number",
+                "a card is eight fields of ten characters each, or numbers with commas between them");
   return value;
 }
 
-Card card_of(const std::string& line, const std::string& keyword) {
+Card card_of(const CardLine& line) {
   Card card{};
-  if (line.find(',') != std::string::npos) {
-    std::istringstream in(line);
+  if (line.text.find(',') != std::string::npos) {
+    std::istringstream in(line.text);
     std::string field;
-    for (std::size_t k = 0; k < fields && std::getline(in, field, ','); ++k) card[k] = number(field, keyword);
+    for (std::size_t k = 0; k < fields && std::getline(in, field, ','); ++k)
+      card[k] = number(field, line, "field " + std::to_string(k + 1));
     return card;
   }
-  for (std::size_t k = 0; k < fields && k * width < line.size(); ++k)
-    card[k] = number(line.substr(k * width, width), keyword);
+  for (std::size_t k = 0; k < fields && k * width < line.text.size(); ++k)
+    card[k] = number(line.text.substr(k * width, width), line,
+                     "columns " + std::to_string(k * width + 1) + " to " + std::to_string((k + 1) * width));
   return card;
 }
 
-/// The cards below the first of these keywords, without comments and title. @throws InputError
-std::vector<Card> cards_of(const std::string& text, const std::vector<std::string>& keywords,
-                           std::size_t least) {
-  std::istringstream in(text);
+/// The cards of a keyword.
+struct Cards {
+  std::string title;  // of a keyword with _TITLE
   std::vector<Card> cards;
-  bool inside = false, title = false;
+  const Card& operator[](std::size_t k) const { return cards[k]; }
+};
+
+[[noreturn]] void refuse_count(const Cards& found, bool met, const std::string& keyword, std::size_t least,
+                               const std::string& file) {
+  const std::string what = met ? keyword + " needs " + std::to_string(least) + " cards, but has " +
+                                     std::to_string(found.cards.size())
+                               : "there is no " + keyword + " in the file";
+  throw InputError("error: " + what + "\n  --> " + file +
+                   "\n   = help: a material is made from *MAT_JOHNSON_COOK (*MAT_015) and *EOS_GRUNEISEN");
+}
+
+std::string without_blanks_at_ends(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// The cards below the first of these keywords, without comments. @throws InputError
+Cards cards_of(const std::string& text, const std::vector<std::string>& keywords, std::size_t least,
+               const std::string& file) {
+  std::istringstream in(text);
+  Cards found;
+  bool inside = false, title = false, met = false;
+  CardLine at{keywords[0], file, "", 0};
   for (std::string line; std::getline(in, line);) {
+    ++at.number;
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.starts_with('$')) continue;
     if (line.starts_with('*')) {
@@ -63,36 +101,45 @@ std::vector<Card> cards_of(const std::string& text, const std::vector<std::strin
       title = word.ends_with("_TITLE");
       if (title) word.resize(word.size() - 6);
       inside = std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+      met = met || inside;
     } else if (inside && title) {
+      found.title = without_blanks_at_ends(line);
       title = false;
     } else if (inside) {
-      cards.push_back(card_of(line, keywords[0]));
+      at.text = line;
+      found.cards.push_back(card_of(at));
     }
   }
-  if (cards.size() < least)
-    throw InputError(inside || !cards.empty() ? keywords[0] + " needs " + std::to_string(least) + " cards"
-                                              : "there is no " + keywords[0] + " in the file");
-  return cards;
+  if (found.cards.size() < least) refuse_count(found, met, keywords[0], least, file);
+  return found;
 }
 
-JohnsonCook johnson_cook(const std::vector<Card>& mat, const CardUnits& u) {
+/// With the digits that files give numbers: 3410 and not 3410.0000000000005 after a change of units.
+double tidy(double x) {
+  std::ostringstream text;
+  text.precision(12);
+  text << x;
+  return std::strtod(text.str().c_str(), nullptr);
+}
+
+JohnsonCook johnson_cook(const Cards& mat, const CardUnits& u) {
   const Card &elastic = mat[0], &yield = mat[1];
   JohnsonCook s;
-  s.shear_modulus = elastic[2] * u.pressure();
-  if (!(s.shear_modulus > 0)) s.shear_modulus = elastic[3] / (2 * (1 + elastic[4])) * u.pressure();
-  s.a = yield[0] * u.pressure();
-  s.b = yield[1] * u.pressure();
+  s.shear_modulus = tidy(elastic[2] * u.pressure());
+  if (!(s.shear_modulus > 0)) s.shear_modulus = tidy(elastic[3] / (2 * (1 + elastic[4])) * u.pressure());
+  s.a = tidy(yield[0] * u.pressure());
+  s.b = tidy(yield[1] * u.pressure());
   s.n = yield[2];
   s.c = yield[3];
   s.m = yield[4];
   s.melting_temperature = yield[5];
   s.reference_temperature = yield[6];
-  s.reference_rate = yield[7] > 0 ? yield[7] / u.time : 1 / u.time;
+  s.reference_rate = tidy((yield[7] > 0 ? yield[7] : 1) / u.time);
   return s;
 }
 
 Eos grueneisen(const Card& card, double rho0, const CardUnits& u) {
-  const double c0 = card[1] * u.velocity();
+  const double c0 = tidy(card[1] * u.velocity());
   if (card[3] == 0 && card[4] == 0 && card[6] == 0) return MieGruneisen{rho0, c0, card[2], card[5]};
   return MieGruneisenCubic{rho0, c0, card[2], card[3], card[4], card[5], card[6]};
 }
@@ -108,15 +155,16 @@ const std::vector<CardUnits>& card_units() {
   return all;
 }
 
-ImportedMaterial import_cards(const std::string& text, const CardUnits& units) {
-  const auto mat = cards_of(text, {"*MAT_JOHNSON_COOK", "*MAT_015"}, 3);
-  const auto eos = cards_of(text, {"*EOS_GRUNEISEN"}, 1);
+ImportedMaterial import_cards(const std::string& text, const CardUnits& units, const std::string& file) {
+  const Cards mat = cards_of(text, {"*MAT_JOHNSON_COOK", "*MAT_015"}, 3, file);
+  const Cards eos = cards_of(text, {"*EOS_GRUNEISEN"}, 1, file);
   ImportedMaterial found;
   Material& m = found.material;
-  const double rho0 = mat[0][1] * units.density();
+  m.title = mat.title;
+  const double rho0 = tidy(mat[0][1] * units.density());
   m.eos = grueneisen(eos[0], rho0, units);
   m.strength = johnson_cook(mat, units);
-  m.thermal.specific_heat = mat[2][0] * units.velocity() * units.velocity();
+  m.thermal.specific_heat = tidy(mat[2][0] * units.velocity() * units.velocity());
   m.thermal.initial_temperature = mat[1][6];
   for (const auto& [value, name] : {std::pair{mat[0][1], "density RO"},
                                     {mat[0][2] + mat[0][3], "shear modulus G"},
@@ -125,7 +173,10 @@ ImportedMaterial import_cards(const std::string& text, const CardUnits& units) {
                                     {mat[2][0], "specific heat CP"},
                                     {eos[0][1], "sound speed C"},
                                     {eos[0][5], "Grueneisen coefficient GAMAO"}})
-    if (!(value > 0)) throw InputError(std::string(name) + " must be above 0");
+    if (!(value > 0))
+      throw InputError(
+          "error: " + std::string(name) + " must be above 0\n  --> " + file +
+          "\n   = help: write it into its card; zero would stand for a default that Recoil has not");
   if (mat[2][1] != 0) found.left_out.emplace_back("the pressure cutoff PC");
   if (std::any_of(mat[2].begin() + 4, mat[2].end(), [](double d) { return d != 0; }))
     found.left_out.emplace_back("the failure constants D1 to D5");

@@ -27,7 +27,8 @@ struct ImportedMaterial {
 
 /// A material from the cards of an LS-DYNA keyword file: *MAT_JOHNSON_COOK (*MAT_015) and *EOS_GRUNEISEN
 /// (Livermore Software, LS-DYNA Keyword User's Manual, volume II), the first of each; numbers in fields of
-/// ten characters or with commas. @throws InputError that names what is missing or no number.
-ImportedMaterial import_cards(const std::string& text, const CardUnits& units);
+/// ten characters or with commas; the title is that of *MAT_JOHNSON_COOK_TITLE. @param file its name, for
+/// messages. @throws InputError that names what is missing or no number, and where.
+ImportedMaterial import_cards(const std::string& text, const CardUnits& units, const std::string& file);
 
 }  // namespace recoil

@@ -192,34 +192,6 @@ class Check(Program):
         self.expect(recoil("check", FLYER, "--png", png), 0)
         self.assert_png(png)
 
-    def test_check_draws_from_where_all_bodies_are_seen(self):
-        case = self.folder / "below.toml"
-        text = """format = 1
-[domain]
-geometry = "3d"
-x = ["-7 mm", "9 mm"]
-y = ["-7 mm", "7 mm"]
-z = ["-6 mm", "8 mm"]
-[mesh]
-finest = "0.5 mm"
-[time]
-end = "1 us"
-[body.plate]
-material = "aluminium/6061-t6"
-shape = { kind = "box", x = ["-7 mm", "9 mm"], y = ["-7 mm", "7 mm"], z = ["0 mm", "4 mm"] }
-[body.sphere]
-material = "steel/4340"
-shape = { kind = "sphere", radius = "2 mm", centre = { z = "%s mm" } }
-velocity = { z = "%s m/s" }
-"""
-        for place, speed, said in ((-2.1, 700, "--view=-55deg,-24deg shows more"), (6.1, -700, f"picture {self.folder}/case.png\n")):
-            case.write_text(text % (place, speed))
-            self.expect(recoil("check", case, "--png", self.folder / "case.png"), 0, said)
-            self.assert_png(self.folder / "case.png")
-        asked = recoil("check", case, "--png", self.folder / "case.png", "--view=x")
-        self.expect(asked, 0)
-        self.assertNotIn("--view", asked.stdout)
-
     def assert_png(self, file):
         data = file.read_bytes()
         self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")

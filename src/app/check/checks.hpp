@@ -19,7 +19,8 @@ void check_steps(LoadedCase& loaded);
 /// Parts of the domain with the finest cells that lie outside of it, keys that mean nothing without levels.
 void check_levels(LoadedCase& loaded);
 
-/// Names of fields, intervals beyond the end, sources that the bibliography does not know.
+/// Names of fields, intervals beyond the end, sources that the bibliography does not know, curves of
+/// expectations that are not there.
 void check_output(LoadedCase& loaded);
 
 /// Constants that are wrong more often than not, and the doubts that the materials themselves state.

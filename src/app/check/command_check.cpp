@@ -64,7 +64,8 @@ Report look_at(const std::string& file, const std::vector<std::string>& override
 
 std::string duration(double seconds) {
   if (seconds < 100) return fmt::format("{:.2g} s", seconds);
-  return seconds < 6000 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+  if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
+  return seconds < 3600e4 ? fmt::format("{:.1f} h", seconds / 3600) : fmt::format("{:.2g} h", seconds / 3600);
 }
 
 /// A note on a scheme other than the default.

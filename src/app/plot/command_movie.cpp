@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/load_case.hpp"
 #include "app/plot/encoder.hpp"
 #include "app/plot/field_plotter.hpp"
 #include "app/plot/plot_file.hpp"
@@ -90,7 +91,7 @@ int write_numbered(const MovieOptions& o, const fs::path& file, const std::vecto
 }  // namespace
 
 int movie(const MovieOptions& o) {
-  if (!fs::is_directory(o.plot.folder)) throw InputError(fmt::format("there is no folder {}", o.plot.folder));
+  require_folder(o.plot.folder);
   const std::string& field = o.plot.what.front();
   if (field.starts_with("gauge.") || field.starts_with("history."))
     throw InputError(

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/load_case.hpp"
 #include "app/plot/field_plot.hpp"
 #include "app/plot/plot_file.hpp"
 #include "config/units.hpp"
@@ -103,7 +104,7 @@ int plot_record(PlotOptions o, const Record& record) {
 /// @throws InputError where a run has no gauge of that name.
 void require_gauge(const std::string& run, const std::string& file, const std::string& name) {
   if (fs::exists(fs::path(run) / file)) return;
-  if (!fs::is_directory(run)) throw InputError(fmt::format("there is no folder {}", run));
+  require_folder(run);
   const std::string near = did_you_mean(name, gauges_in(run));
   throw InputError(
       fmt::format("there is no gauge '{}' in {}{}{}", name, run, near.empty() ? "" : "\n   = help: ", near));
@@ -134,7 +135,7 @@ void take_file(PlotOptions& o, bool is_gauge) {
 
 int plot(const PlotOptions& given) {
   PlotOptions o = given;
-  if (!fs::is_directory(o.folder)) throw InputError(fmt::format("there is no folder {}", o.folder));
+  require_folder(o.folder);
   const std::string what = o.what.front();
   const bool is_gauge =
       what.starts_with("gauge.") || fs::exists(fs::path(o.folder) / "gauges" / (what + ".csv"));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/load_case.hpp"
 #include "app/report/report_page.hpp"
 #include "core/error.hpp"
 
@@ -16,8 +17,7 @@ namespace fs = std::filesystem;
 int report(const ReportOptions& o) {
   if (!(o.most_mb > 0)) throw InputError("--max-mb is not above zero\n   = help: --max-mb 10");
   const std::vector<fs::path> runs(o.folders.begin(), o.folders.end());
-  for (const fs::path& run : runs)
-    if (!fs::is_directory(run)) throw InputError(fmt::format("there is no folder {}", run.string()));
+  for (const fs::path& run : runs) require_folder(run);
   fs::path file = o.file;
   if (file.empty()) file = runs.size() == 1 ? runs.front() / "report.html" : fs::path("report.html");
   if (const std::string suffix = file.extension().string(); suffix != ".html" && suffix != ".htm")

@@ -166,6 +166,7 @@ int start(const Options& options, const LoadedCase& loaded, SimulationOptions& s
     fmt::print(stderr, "{}", loaded.found.text());
   std::optional<RunLock> lock;
   if (simulation.speaks) {
+    refuse_foreign(simulation.folder);  // before the lock leaves its file there
     lock.emplace(simulation.folder);
     if (simulation.checkpoint.empty()) prepare_run_folder(simulation.folder, loaded, force);
   }
@@ -184,11 +185,11 @@ std::filesystem::path find_checkpoint(const ResumeOptions& options) {
     if (std::filesystem::exists(inside)) return inside;
     throw InputError(fmt::format("error: there is no checkpoint '{}'", options.from));
   }
-  if (!std::filesystem::is_directory(options.folder))
-    throw InputError(fmt::format("error: there is no folder {}", options.folder));
+  require_folder(options.folder);
   const auto all = checkpoints_of(options.folder);
   if (all.empty() && !std::filesystem::exists(std::filesystem::path(options.folder) / "case.resolved.toml"))
-    throw InputError(fmt::format("error: {} holds no run", options.folder));
+    throw InputError(fmt::format("error: {} holds no run\n   = help: `recoil run CASE -o {}` makes one there",
+                                 options.folder, options.folder));
   if (all.empty() && std::filesystem::exists(std::filesystem::path(options.folder) / "summary.json"))
     throw InputError(fmt::format(
         "error: the run in {} has ended, and has left no checkpoint to go on from\n   = help: "

@@ -81,7 +81,9 @@ int status(const StatusOptions& options) {
   for (;;) {
     const bool held = RunLock::is_held(folder);
     if (!fs::exists(file) && !fs::exists(folder / "case.resolved.toml"))
-      throw InputError(fmt::format("error: {} holds no run: there is no status.json", options.folder));
+      throw InputError(fmt::format(
+          "error: {} holds no run: there is no status.json\n   = help: give the folder of a run, runs/NAME",
+          options.folder));
     Standing s = fs::exists(file) ? read_status(file) : Standing{held ? "starting" : "interrupted"};
     if (s.state == "running" && !held) s.state = "interrupted";
     if (!fs::exists(file))

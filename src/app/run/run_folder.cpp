@@ -49,14 +49,6 @@ bool was_interrupted(const fs::path& folder) {
   return !fs::exists(folder / "summary.json") && !checkpoints_of(folder).empty();
 }
 
-void refuse_foreign(const fs::path& folder) {
-  if (holds_nothing(folder) || fs::exists(folder / "case.resolved.toml") ||
-      fs::exists(folder / "status.json"))
-    return;
-  throw InputError(fmt::format("the folder {} holds files, but no run\n   = help: choose another one with -o",
-                               folder.string()));
-}
-
 /// What the case reads, and the curves that expectations compare with, so that the folder is complete by
 /// itself.
 void copy_file_into(const fs::path& folder, const fs::path& file) {
@@ -99,6 +91,19 @@ void copy_files(const fs::path& folder, const LoadedCase& loaded) {
 
 }  // namespace
 
+void refuse_foreign(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return;
+  if (!fs::is_directory(folder))
+    throw InputError(
+        fmt::format("{} is a file, not a folder\n   = help: choose another one with -o", folder.string()));
+  if (holds_nothing(folder) || fs::exists(folder / "case.resolved.toml") ||
+      fs::exists(folder / "status.json"))
+    return;
+  throw InputError(fmt::format("the folder {} holds files, but no run\n   = help: choose another one with -o",
+                               folder.string()));
+}
+
 RunLock::RunLock(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -134,8 +139,7 @@ RunLock::RunLock(RunLock&& other) noexcept : file_(std::exchange(other.file_, -1
 
 void prepare_run_folder(const fs::path& folder, const LoadedCase& loaded, bool force) {
   try {
-    if (fs::exists(folder) && !fs::is_directory(folder))
-      throw InputError(fmt::format("{} is a file, not a folder", folder.string()));
+    refuse_foreign(folder);
     if (fs::exists(folder / "summary.json") && !force)
       throw InputError(
           fmt::format("the folder {} holds a finished run\n   = help: --force replaces it, -o chooses "
@@ -146,7 +150,6 @@ void prepare_run_folder(const fs::path& folder, const LoadedCase& loaded, bool f
           fmt::format("the folder {} holds an interrupted run\n   = help: `recoil resume {}` goes on with "
                       "it, --force replaces it, -o chooses another folder",
                       folder.string(), folder.string()));
-    if (fs::exists(folder)) refuse_foreign(folder);
     for (const char* name : traces) fs::remove_all(folder / name);
     fs::create_directories(folder);
     write_atomically(folder / "case.toml", loaded.document.text);

@@ -8,6 +8,9 @@
 
 namespace recoil::app {
 
+/// @throws InputError for a file, and for a folder that holds files which are not of a run.
+void refuse_foreign(const std::filesystem::path& folder);
+
 /// Holds the folder of a run for this process, as long as it lives: no other run writes there meanwhile.
 class RunLock {
  public:

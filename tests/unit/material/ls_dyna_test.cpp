@@ -32,7 +32,7 @@ const CardUnits& units(const std::string& name) {
 }
 
 TEST(LsDyna, ReadsCopperInSi) {
-  const ImportedMaterial got = import_cards(copper, units("g-cm-us"));
+  const ImportedMaterial got = import_cards(copper, units("g-cm-us"), "copper.k");
   const auto& jc = std::get<JohnsonCook>(got.material.strength);
   EXPECT_NEAR(jc.shear_modulus, 47.7e9, 1);
   EXPECT_NEAR(jc.a, 90e6, 1e-3);
@@ -46,6 +46,8 @@ TEST(LsDyna, ReadsCopperInSi) {
   EXPECT_EQ(eos.a, 0.47);
   EXPECT_NEAR(got.material.thermal.specific_heat, 383, 1e-9);
   ASSERT_EQ(got.left_out.size(), 2U) << "cutoff and failure";
+  EXPECT_EQ(got.material.title, "OFHC copper");
+  EXPECT_EQ(eos.c0, 3940) << "with the digits of the card";
 }
 
 TEST(LsDyna, UnitsAreCoherent) {
@@ -59,7 +61,7 @@ TEST(LsDyna, UnitsAreCoherent) {
 TEST(LsDyna, SaysWhatIsWrong) {
   const auto message = [](const std::string& text) {
     try {
-      import_cards(text, units("SI"));
+      import_cards(text, units("SI"), "cards.k");
     } catch (const InputError& e) {
       return std::string(e.what());
     }
@@ -67,7 +69,11 @@ TEST(LsDyna, SaysWhatIsWrong) {
   };
   EXPECT_NE(message("*KEYWORD\n").find("no *MAT_JOHNSON_COOK"), std::string::npos);
   EXPECT_NE(message("*MAT_015\n1,8960\n").find("needs 3 cards"), std::string::npos);
-  EXPECT_NE(message("*MAT_015\n1,eight\n").find("'eight'"), std::string::npos);
+  EXPECT_NE(message("*MAT_015\n1,eight\n")
+                .find("'eight' in *MAT_JOHNSON_COOK, field 2, is no number\n  --> cards.k:2"),
+            std::string::npos);
+  EXPECT_NE(message("*MAT_015\n$\n         1  x\n").find("columns 11 to 20, is no number\n  --> cards.k:3"),
+            std::string::npos);
   std::string cold = copper;
   cold.replace(cold.find("1356"), 4, "   0");
   EXPECT_NE(message(cold).find("TM"), std::string::npos);
