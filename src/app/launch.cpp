@@ -126,7 +126,11 @@ int run_into(const std::vector<std::string>& words, const std::filesystem::path&
   const pid_t child = start(words, {.output = file, .at_our_end = asks_to_stop ? SIGUSR1 : 0});
   close(file);
   const int status = child < 0 ? -1 : asks_to_stop ? wait_and_pass_on(child, 0) : wait_for(child);
-  if (status < 0 || !WIFEXITED(status) || WEXITSTATUS(status) == cannot_start)
+  if (status >= 0 && WIFSIGNALED(status))
+    throw EnvironmentError(fmt::format("{} was ended by a signal ({}), see {}",
+                                       std::filesystem::path(words[0]).filename().string(),
+                                       strsignal(WTERMSIG(status)), log.string()));
+  if (status < 0 || WEXITSTATUS(status) == cannot_start)
     throw EnvironmentError(fmt::format("{} failed; see {}", words[0], log.string()));
   return WEXITSTATUS(status);
 }

@@ -121,8 +121,8 @@ ChildResult run_or_reuse(const ChildRun& run) {
   int code = exit_environment;
   try {
     code = run_child(words_of(run), log);
-  } catch (const EnvironmentError&) {  // killed: the log is all that is known
-    return {code, false, "failed", fmt::format("the run was ended from outside, see {}", log.string())};
+  } catch (const EnvironmentError& e) {  // killed, or without room for its log
+    return {code, false, "failed", e.what()};
   }
   if (has_results(code)) return told_by(run.folder);
   return {code, false, code == exit_stopped ? "stopped" : "failed", why_no_results(code, log)};
