@@ -89,6 +89,12 @@ class Environment(Program):
                 self.assertEqual(done.returncode, 4, done.stderr)
                 self.assertIn("No space left on device", done.stderr)
 
+    def test_errors_that_cannot_be_written_either(self):
+        with open("/dev/full", "w") as full:
+            for words in (["run", "nowhere.toml"], ["run", str(self.case(('"450 m/s"', '"45 km/s"'))), "-o", str(self.folder / "out")]):
+                done = subprocess.run([PROGRAM, *words], stdout=full, stderr=full, check=False)
+                self.assertIn(done.returncode, (2, 4), "no signal")
+
     def test_less_memory_than_the_case_needs(self):
         case = self.case(('finest = "0.05 mm"', 'finest = "0.001 um"'))
         for words in (("check", case), ("run", case, "-o", self.folder / "out")):

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -193,7 +194,7 @@ int study(const StudyOptions& o) {
   std::vector<ChildResult> results(runs.size());
   for (std::size_t k = 0; k < runs.size() && !stop_requested(); ++k) results[k] = run_on(runs[k]);
   if (cut_short(results)) {
-    fmt::print(stderr, "{}", told_stopped(results, "the same command goes on"));
+    std::fputs(told_stopped(results, "the same command goes on").c_str(), stderr);
     return exit_stopped;
   }
   return tabulate(loaded, asked, folder, meshes, results);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <mutex>
@@ -175,8 +176,10 @@ int verify(const VerifyOptions& o) {
   const auto undone = std::ranges::count_if(
       results, [](const VerifiedCase& c) { return c.name.empty() || c.exit_code == exit_stopped; });
   if (stop_requested() && undone > 0) {
-    fmt::print(stderr, "stopped as asked: {} of {} cases are done, with --reuse they are not run again\n",
-               results.size() - static_cast<std::size_t>(undone), results.size());
+    const std::string told =
+        fmt::format("stopped as asked: {} of {} cases are done, with --reuse they are not run again\n",
+                    results.size() - static_cast<std::size_t>(undone), results.size());
+    std::fputs(told.c_str(), stderr);
     return exit_stopped;
   }
   const std::string text = verify_markdown(results, o.overrides);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -118,7 +119,7 @@ void write_table(const Sweep& s, const SweepRuns& runs) {
 }
 
 int tell_stopped(const SweepRuns& runs) {
-  fmt::print(stderr, "{}", runs.told_stopped());
+  std::fputs(runs.told_stopped().c_str(), stderr);
   return exit_stopped;
 }
 
