@@ -17,7 +17,6 @@ namespace recoil {
 
 namespace {
 
-constexpr double target_fill = 0.5;    // fragments below are redistributed, neighbourhoods reach it
 constexpr double member_fill = 0.001;  // least part of a cell that a member fills
 constexpr double merge_fill = 0.02;    // least volume of a neighbourhood
 constexpr double home_fill = 0.3;      // where lone fragments go

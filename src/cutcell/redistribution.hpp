@@ -5,6 +5,9 @@
 
 namespace recoil {
 
+/// Fragments that fill less of a cell are redistributed; neighbourhoods reach it.
+inline constexpr double target_fill = 0.5;
+
 /// State redistribution (Berger & Giuliani 2021) of the small fragments of one block: every fragment below
 /// half a cell shares its contents with a neighbourhood that reaches half a cell, so that a step is stable
 /// whatever the size of a fragment. Volumes stay. All neighbourhoods are formed from one old state, and each

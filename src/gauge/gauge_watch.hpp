@@ -45,6 +45,8 @@ class GaugeWatch {
   virtual bool follows_every_step() const { return reads_every_step(); }
   /// Whether a record takes the sums over whole bodies.
   virtual bool needs_totals() const { return false; }
+  /// Whether it reads contents of blocks that touch its own.
+  virtual bool reads_contents_around() const { return false; }
   /// Over a distance instead of over time: the distances [m] of its records, and what they are; else empty.
   virtual std::vector<double> distances() const { return {}; }
   /// Takes from or adds to the declared columns.

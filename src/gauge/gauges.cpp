@@ -1,5 +1,6 @@
 #include "gauge/gauges.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -58,6 +59,12 @@ void Gauges<Dim>::open_file(Gauge& g) {
   std::vector<std::string> names{g.series.over.name + " [" + g.series.over.unit + "]"};
   for (const SeriesColumn& c : g.series.columns) names.push_back(c.name + " [" + c.unit + "]");
   g.file.emplace(folder_ / (g.series.name + ".csv"), names);
+}
+
+template <int Dim>
+bool Gauges<Dim>::reads_contents_around() const {
+  return std::any_of(gauges_.begin(), gauges_.end(),
+                     [](const Gauge& g) { return g.watch->reads_contents_around(); });
 }
 
 template <int Dim>

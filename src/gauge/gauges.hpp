@@ -26,6 +26,8 @@ class Gauges {
   Gauges(const config::Case& case_, const State<Dim>& state, const parallel::World& world,
          const std::filesystem::path& folder, ExactSums& sums);
 
+  /// Whether a gauge reads contents of blocks that touch its own.
+  bool reads_contents_around() const;
   /// Whether a gauge needs the sums over whole bodies at this time. The same on all ranks.
   bool needs_totals(double time) const;
   /// Adds this rank's share of all that is due. Collective.

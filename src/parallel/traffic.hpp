@@ -18,5 +18,7 @@ struct Traffic {
   }
 };
 Traffic traffic();
+/// Where the wrapper of MPI counts.
+Traffic& counted_traffic();
 
 }  // namespace recoil::parallel

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "parallel/pieces.hpp"
+#include "parallel/post.hpp"
 #include "parallel/traffic.hpp"
 
 namespace recoil::parallel {
@@ -47,13 +48,18 @@ void receive(Bytes& bytes, int from) {
 
 Traffic traffic() { return sent; }
 
+Traffic& counted_traffic() { return sent; }
+
 Session::Session() {
   int provided = 0;
   if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
     throw EnvironmentError("MPI could not be started");
 }
 
-Session::~Session() { MPI_Finalize(); }
+Session::~Session() {
+  wait_until_taken();
+  MPI_Finalize();
+}
 
 int World::rank() const {
   int r = 0;

@@ -44,6 +44,11 @@ template <int Dim>
 Recorder<Dim>::~Recorder() = default;
 
 template <int Dim>
+bool Recorder<Dim>::reads_contents_around() const {
+  return parts_->gauges.reads_contents_around();
+}
+
+template <int Dim>
 void Recorder<Dim>::begin(const State<Dim>& state) {
   Parts& p = *parts_;
   p.start(state);

@@ -29,6 +29,8 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
+  /// Whether records are made of contents around own blocks (Engine::contents_between_steps). Not collective.
+  bool reads_contents_around() const;
   /// The start, after prepare_start(): first records and first fields.
   void begin(const State<Dim>& state);
   /// After every advance() with the length that it returned [s]. @throws PhysicsError, on all processes,

@@ -2,6 +2,7 @@
 
 #include "parallel/world.hpp"
 #include "state/fields.hpp"
+#include "state/sent_cells.hpp"
 
 namespace recoil {
 
@@ -23,10 +24,18 @@ constexpr int reach_of(Field field) {
 }
 
 /// Brings the copies of other processes' blocks up to date: these fields of all bodies, and which blocks the
-/// bodies are in. A process gets the cells that lie within min(reach, reach_of(field)) of its own blocks; the
-/// others of the copy keep what they hold, in debug builds no numbers. Collective.
+/// bodies are in. A process gets the cells that lie within min(read.cells, reach_of(field)) of its own
+/// blocks; what is not sent is 0, or stays as it was, in debug builds no number. Collective.
 template <int Dim>
 void exchange_fields(State<Dim>& state, const parallel::World& world, FieldSet fields,
-                     int reach = widest_halo);
+                     const ReadAround& read = {});
+
+/// The two halves of it, for one other process: the message to it, and what is done with that from it.
+template <int Dim>
+parallel::Bytes pack_fields(const State<Dim>& state, const typename Mesh<Dim>::Peer& peer, FieldSet fields,
+                            const ReadAround& read);
+template <int Dim>
+void unpack_fields(State<Dim>& state, const typename Mesh<Dim>::Peer& peer, int own_rank, FieldSet fields,
+                   const ReadAround& read, const parallel::Bytes& bytes);
 
 }  // namespace recoil

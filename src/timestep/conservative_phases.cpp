@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cutcell/around_small.hpp"
 #include "cutcell/moves.hpp"
 #include "cutcell/redistribution.hpp"
 #include "dynamics/block_update.hpp"
@@ -47,11 +48,14 @@ void find_walls(StepRun<Dim>& step, double dt, const Stage& stage) {
                                       geometry | donors | contents | volume, walls};
   State<Dim>& state = step.state();
   const double booked = stage.faces == FaceTime::now ? stage.weight : 0;
-  step.queue_each_slot(StepPhase::walls, access, [&step, &state, dt, booked](int slot, Scratch& scratch) {
-    for (Body<Dim>& body : state.bodies)
-      if (!body.rigid && body.present(slot)) evaluate_fits(state, body, slot, step.counters(slot), scratch);
-    find_walls(state, slot, dt, booked, scratch);
-  });
+  const ReadAround read{.averages = AveragesSent::asked};
+  step.queue_each_slot(StepPhase::walls, {access, read},
+                       [&step, &state, dt, booked](int slot, Scratch& scratch) {
+                         for (Body<Dim>& body : state.bodies)
+                           if (!body.rigid && body.present(slot))
+                             evaluate_fits(state, body, slot, step.counters(slot), scratch);
+                         find_walls(state, slot, dt, booked, scratch);
+                       });
 }
 
 template <int Dim>
@@ -91,13 +95,25 @@ void update_matter(StepRun<Dim>& step, double dt, const Stage& stage) {
 }
 
 template <int Dim>
+void mark_around_small(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"mark around small fragments", volume | geometry, {}, {}};
+  if (step.state().mesh.peers().empty()) return;
+  step.queue_each_body(StepPhase::exchange, access, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
+    step.around_small().of(slot, static_cast<std::size_t>(&body - step.state().bodies.data())) =
+        mark_around_small(step.state(), body, slot, scratch);
+  });
+}
+
+template <int Dim>
 void redistribute_small_fragments(StepRun<Dim>& step) {
   static constexpr FieldAccess access{
       "redistribute", contents | volume | geometry | phi | role | walls, {}, updates};
-  step.queue_each_body(StepPhase::redistribution, {access, 8},
-                       [&step](Body<Dim>& body, int slot, Scratch& scratch) {
-                         redistribute(step.state(), body, slot, step.counters(slot), scratch);
-                       });
+  step.queue_each_body(
+      StepPhase::redistribution,
+      {access, {.cells = 8, .contents = ContentsSent::around_small_fragments, .walls = WallsSent::motion}},
+      [&step](Body<Dim>& body, int slot, Scratch& scratch) {
+        redistribute(step.state(), body, slot, step.counters(slot), scratch);
+      });
   apply_updates(step, StepPhase::redistribution);
 }
 
@@ -117,9 +133,10 @@ void exchange_along_surfaces(StepRun<Dim>& step) {
   static constexpr FieldAccess access{
       "exchange along surfaces", contents | volume | end_geometry, {}, updates};
   if (Dim == 1) return;
-  step.queue_each_body(StepPhase::moves, {access, 1}, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
-    exchange_along_surface(step.state(), body, slot, scratch);
-  });
+  step.queue_each_body(StepPhase::moves, {access, {.cells = 1, .contents = ContentsSent::of_cut_cells}},
+                       [&step](Body<Dim>& body, int slot, Scratch& scratch) {
+                         exchange_along_surface(step.state(), body, slot, scratch);
+                       });
   apply_updates(step, StepPhase::moves);
 }
 
@@ -145,25 +162,30 @@ template <int Dim>
 void empty_and_fill(StepRun<Dim>& step) {
   static constexpr FieldAccess empty{"empty outside", contents | volume | end_geometry | phi, {}, updates},
       fill{"fill inside", contents | volume | end_geometry | phi, {}, updates};
-  step.queue_each_body(StepPhase::moves, {empty, 2}, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
-    State<Dim>& state = step.state();
-    empty_outside(state, body, slot, state.ledger[slot].edges[&body - state.bodies.data()], scratch);
-  });
+  step.queue_each_body(StepPhase::moves, {empty, {.cells = 3, .contents = ContentsSent::around_moves}},
+                       [&step](Body<Dim>& body, int slot, Scratch& scratch) {
+                         State<Dim>& state = step.state();
+                         empty_outside(state, body, slot,
+                                       state.ledger[slot].edges[&body - state.bodies.data()], scratch);
+                       });
   apply_updates(step, StepPhase::moves);
   fit_voids(step);
-  step.queue_each_body(StepPhase::moves, {fill, 3}, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
-    State<Dim>& state = step.state();
-    fill_inside(state, body, slot, state.ledger[slot].edges[&body - state.bodies.data()], scratch);
-  });
+  step.queue_each_body(StepPhase::moves, {fill, {.cells = 3, .contents = ContentsSent::around_moves}},
+                       [&step](Body<Dim>& body, int slot, Scratch& scratch) {
+                         State<Dim>& state = step.state();
+                         fill_inside(state, body, slot, state.ledger[slot].edges[&body - state.bodies.data()],
+                                     scratch);
+                       });
   apply_updates(step, StepPhase::moves);
 }
 
 template <int Dim>
 void bound_volumes(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"bound volumes", contents | volume | end_geometry, {}, updates};
-  step.queue_each_body(StepPhase::moves, {access, 3}, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
-    bound_volumes(step.state(), body, slot, step.counters(slot), scratch);
-  });
+  step.queue_each_body(StepPhase::moves, {access, {.cells = 3, .contents = ContentsSent::around_moves}},
+                       [&step](Body<Dim>& body, int slot, Scratch& scratch) {
+                         bound_volumes(step.state(), body, slot, step.counters(slot), scratch);
+                       });
   apply_updates(step, StepPhase::moves);
   fit_voids(step);
 }
@@ -238,6 +260,7 @@ void clear_negative_strain(StepRun<Dim>& step) {
   template void find_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
   template void move_walls<Dim>(StepRun<Dim>&, double, const Stage&);    \
   template void update_matter<Dim>(StepRun<Dim>&, double, const Stage&); \
+  template void mark_around_small<Dim>(StepRun<Dim>&);                   \
   template void redistribute_small_fragments<Dim>(StepRun<Dim>&);        \
   template void cut_out_rigid_bodies<Dim>(StepRun<Dim>&);                \
   template void exchange_along_surfaces<Dim>(StepRun<Dim>&);             \

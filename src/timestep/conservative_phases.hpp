@@ -20,6 +20,9 @@ void move_walls(StepRun<Dim>& step, double dt, const Stage& stage);
 /// Q += dt R, V += dt R_V.
 template <int Dim>
 void update_matter(StepRun<Dim>& step, double dt, const Stage& stage);
+/// Which cells redistribution may read around the blocks of other processes in this step.
+template <int Dim>
+void mark_around_small(StepRun<Dim>& step);
 template <int Dim>
 void redistribute_small_fragments(StepRun<Dim>& step);
 /// No level set reaches into a rigid body.

@@ -33,33 +33,12 @@ using enum Field;
 constexpr double frozen_band = 1.6;          // [dx] phi nearer to the surface is not redistanced every step
 constexpr double travel_to_redistance = 10;  // [dx] that surfaces move between full redistancings
 constexpr double shortest_step = 1e-18;      // s
-constexpr int reach_between_steps = 4;       // cells that gauges and regridding read around a block
 
 /// 0 where a process has no blocks.
 double largest(const std::vector<double>& values) {
   double most = 0;
   for (const double v : values) most = std::max(most, v);
   return most;
-}
-
-template <int Dim>
-void place_rigid_bodies(StepRun<Dim>& step, double ahead, PhiAt where) {
-  State<Dim>& state = step.state();
-  if (std::ranges::none_of(state.bodies, [](const Body<Dim>& body) { return body.rigid.has_value(); }))
-    return;
-  step.run_queued();
-  const Timers<StepPhase>::Span span(step.engine().timers, StepPhase::level_set);
-  step.for_each_own([&](int slot, Scratch&) {
-    for (Body<Dim>& body : state.bodies) {
-      if (!body.rigid || !body.present(slot)) continue;
-      BodyBlock<Dim>& b = body.at(slot);
-      if (!never_moves(*body.rigid))
-        place_rigid(state, body, slot, ahead, where);
-      else if (where == PhiAt::midstep)  // it has stood there since it entered the block
-        b.phi_midstep = b.phi;
-    }
-  });
-  step.has_changed(where == PhiAt::midstep ? phi_midstep : phi);
 }
 
 /// Whether the damage of a body comes from means over cells.
@@ -160,17 +139,20 @@ void choose_donors_and_ghosts(StepRun<Dim>& step, Cells cells) {
   step.queue_each_body(StepPhase::fits, fits, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
     choose_donors(step.state(), body, slot, step.counters(slot), scratch);
   });
-  step.queue_each_body(StepPhase::fits, beyond, [&step, cells](Body<Dim>& body, int slot, Scratch& scratch) {
-    choose_ghosts(step.state(), body, slot, cells, scratch);
-  });
+  step.queue_each_body(StepPhase::fits, {beyond, {.walls = WallsSent::donors}},
+                       [&step, cells](Body<Dim>& body, int slot, Scratch& scratch) {
+                         choose_ghosts(step.state(), body, slot, cells, scratch);
+                       });
+  step.ask_for_cells();
 }
 
 template <int Dim>
 void fill_values(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"fill values", walls, ghosts | geometry, average | stencil | role};
-  step.queue_each_body(StepPhase::values, access, [&step](Body<Dim>& body, int slot, Scratch&) {
-    fill_stencil_values(step.state(), body, slot, step.counters(slot));
-  });
+  step.queue_each_body(StepPhase::values, {access, {.walls = WallsSent::asked}},
+                       [&step](Body<Dim>& body, int slot, Scratch&) {
+                         fill_stencil_values(step.state(), body, slot, step.counters(slot));
+                       });
 }
 
 template <int Dim>
@@ -202,7 +184,7 @@ void average_inadmissible_states(StepRun<Dim>& step, double most_damage) {
       note_averaged(step.engine().averaged, step.state(), body, slot, marked);
     });
     if (!step.engine().world.any(any.load())) return;
-    step.queue_each_body(part, {mean, 3 * width},
+    step.queue_each_body(part, {mean, {3 * width}},
                          [&step, width](Body<Dim>& body, int slot, Scratch& scratch) {
                            average_inadmissible(step.state(), body, slot, width, scratch);
                          });
@@ -233,7 +215,7 @@ void return_to_yield(StepRun<Dim>& step, double dt, double old_weight, double mo
                        });
   if (std::ranges::none_of(step.state().bodies, grows_by_mean)) return;
   step.queue_each_body(
-      StepPhase::plasticity, {grow, averaged_cells(step.state())},
+      StepPhase::plasticity, {grow, {averaged_cells(step.state())}},
       [&step, dt, most_damage, grows_by_mean, combine](Body<Dim>& body, int slot, Scratch& scratch) {
         if (!grows_by_mean(body)) return;
         grow_by_mean(step.state(), body, slot, dt, most_damage, step.state().ledger[slot], scratch);
@@ -257,7 +239,7 @@ void fail_at_once(StepRun<Dim>& step) {
                            fail_at_once(step.state(), body, slot, step.state().ledger[slot]);
                        });
   if (std::ranges::none_of(step.state().bodies, fails_by_mean)) return;
-  step.queue_each_body(StepPhase::plasticity, {by_mean, averaged_cells(step.state())},
+  step.queue_each_body(StepPhase::plasticity, {by_mean, {averaged_cells(step.state())}},
                        [&step, fails_by_mean](Body<Dim>& body, int slot, Scratch& scratch) {
                          if (fails_by_mean(body))
                            fail_at_once_by_mean(step.state(), body, slot, step.state().ledger[slot], scratch);
@@ -271,7 +253,7 @@ void advect_surfaces(StepRun<Dim>& step, double dt) {
       first{"advect surfaces", phi, extension_velocity, phi_midstep | phi_next},
       again{"advect surfaces again", phi_next, extension_velocity, phi};
   const State<Dim>& state = step.state();
-  step.queue_each_body(StepPhase::level_set, spread,
+  step.queue_each_body(StepPhase::level_set, {spread, {.walls = WallsSent::motion}},
                        [&step, &state, dt](Body<Dim>& body, int slot, Scratch& scratch) {
                          spread_wall_velocity(state, body, slot, dt, step.counters(slot), scratch);
                        });
@@ -363,11 +345,16 @@ void update_bands(StepRun<Dim>& step) {
         apply_band(state, body, slot, choice[slot * bodies + m]);
         if (entered && body.rigid && body.present(slot)) place_rigid(state, body, slot, 0, PhiAt::now);
       }
-    step.has_changed(FieldSet::all());
+    // Where a body enters a block, there and in the copies, its phi is far; that of a rigid one is found.
+    const bool same_phi =
+        std::ranges::none_of(state.bodies, [](const Body<Dim>& body) { return body.rigid.has_value(); });
+    step.has_changed(same_phi ? FieldSet::all() - phi : FieldSet::all());
   }
-  step.exchange(
-      fields_where<Dim>([](const auto& d) { return d.lifetime == Lifetime::run && d.in_field_files; }),
-      reach_between_steps);
+  // What the start of the next step and what stands between steps read.
+  const bool contents_too = state.mesh.levels() > 1 || step.engine().contents_between_steps;
+  const FieldSet changed = state.stale.has(phi) ? volume | contact | phi : volume | contact;
+  step.exchange(contents_too ? changed | contents : changed, {widest_halo, ContentsSent::between_steps});
+  step.run_queued();
   step.fill_stand_ins(contents | volume | phi);
 }
 

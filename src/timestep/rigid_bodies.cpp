@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "levelset/transport.hpp"
 #include "parallel/exact_sums.hpp"
 
 namespace recoil {
@@ -90,11 +91,34 @@ void move_rigid_bodies(State<Dim>& state, const parallel::World& world, double d
   }
 }
 
+template <int Dim>
+void place_rigid_bodies(StepRun<Dim>& step, double ahead, PhiAt where) {
+  State<Dim>& state = step.state();
+  if (std::ranges::none_of(state.bodies, [](const Body<Dim>& body) { return body.rigid.has_value(); }))
+    return;
+  step.run_queued();
+  const Timers<StepPhase>::Span span(step.engine().timers, StepPhase::level_set);
+  step.for_each_own([&](int slot, Scratch&) {
+    for (Body<Dim>& body : state.bodies) {
+      if (!body.rigid || !body.present(slot)) continue;
+      BodyBlock<Dim>& b = body.at(slot);
+      if (!never_moves(*body.rigid))
+        place_rigid(state, body, slot, ahead, where);
+      else if (where == PhiAt::midstep)  // it has stood there since it entered the block
+        b.phi_midstep = b.phi;
+    }
+  });
+  step.has_changed(where == PhiAt::midstep ? Field::phi_midstep : Field::phi);
+}
+
 template void follow_velocity_histories<1>(State<1>&, double);
 template void follow_velocity_histories<2>(State<2>&, double);
 template void follow_velocity_histories<3>(State<3>&, double);
 template void move_rigid_bodies<1>(State<1>&, const parallel::World&, double);
+template void place_rigid_bodies<1>(StepRun<1>&, double, PhiAt);
 template void move_rigid_bodies<2>(State<2>&, const parallel::World&, double);
+template void place_rigid_bodies<2>(StepRun<2>&, double, PhiAt);
 template void move_rigid_bodies<3>(State<3>&, const parallel::World&, double);
+template void place_rigid_bodies<3>(StepRun<3>&, double, PhiAt);
 
 }  // namespace recoil

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "parallel/world.hpp"
-#include "state/body.hpp"
+#include "cutcell/geometry.hpp"
+#include "timestep/step_run.hpp"
 
 namespace recoil {
 
@@ -14,5 +14,9 @@ void follow_velocity_histories(State<Dim>& state, double dt);
 /// blocks. Collective where there is a free one.
 template <int Dim>
 void move_rigid_bodies(State<Dim>& state, const parallel::World& world, double dt);
+
+/// The level sets of rigid bodies `ahead` seconds from now. Not collective.
+template <int Dim>
+void place_rigid_bodies(StepRun<Dim>& step, double ahead, PhiAt where);
 
 }  // namespace recoil

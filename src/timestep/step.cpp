@@ -22,6 +22,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   cut_cells(step, Surfaces::shared, PhiAt::midstep, 0.5 * dt);
   choose_donors_and_ghosts(step);
   if (stages.size() > 1) mark_beside_contact(step);  // one stage would grow with what is done there
+  mark_around_small(step);                           // for messages between processes
 
   for (const Stage& stage : stages) {
     find_walls(step, dt, stage);     // contact: touch, slide, separate

@@ -62,6 +62,8 @@ struct Engine {
   Timers<StepPhase> timers;
   AveragedStates averaged{};  // so far, by body
   bool unstable = false;      // noise has grown in the last step: it was longer than a stable one
+  // Whether copies of other processes' blocks hold contents between steps: gauges may read them.
+  bool contents_between_steps = true;
   // A step is shared by threads if each gets as much work, in cells without a surface. With less, two take as
   // long as one (340 to 1700 cells in 1-D), and several times as long where other programs run.
   std::size_t least_work = 1000;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -10,19 +11,20 @@
 #include <vector>
 
 #include "parallel/chain.hpp"
+#include "parallel/world.hpp"
 #include "state/exchange_fields.hpp"
 #include "timestep/field_guard.hpp"
 #include "timestep/step.hpp"
 
 namespace recoil {
 
-/// What a phase does to fields, and how far around its blocks it reads those that it reads there [cells].
+/// What a phase does to fields, and what of those that it reads around its blocks it reads there.
 struct PhaseAccess {
   const FieldAccess& fields;
-  int reach = widest_halo;
+  ReadAround around{};
 
   PhaseAccess(const FieldAccess& access) : fields(access) {}  // NOLINT: as far as any does
-  PhaseAccess(const FieldAccess& access, int cells) : fields(access), reach(cells) {}
+  PhaseAccess(const FieldAccess& access, const ReadAround& read) : fields(access), around(read) {}
 };
 
 /// Runs the phases of a step. A phase is one loop over blocks in which a block writes only its own data and
@@ -30,10 +32,12 @@ struct PhaseAccess {
 /// says which fields it touches (FieldAccess); what it reads around its block is brought up to date first.
 /// In debug builds a phase that touches or writes what it has not declared stops with an InternalError.
 ///
-/// With several threads a phase may be put off (`queue_...`) and then runs in one chain with those that
-/// follow it, in which a block waits for the blocks beside it alone. What it refers to must live until
-/// run_queued(). Code that reads a result of such a phase, or changes what it reads, calls run_queued()
-/// first; phases that are not put off and exchanges between processes do so themselves.
+/// With several threads or processes a phase may be put off (`queue_...`) and then runs in one chain with
+/// those that follow it, in which a block waits for the blocks beside it alone. Exchanges are part of it:
+/// another process is like a block beside those that touch its own, with two phases for each exchange, so
+/// blocks farther inside go on while messages travel. What a phase refers to must live until run_queued().
+/// Code that reads a result of such a phase, or changes what it reads, calls run_queued() first; phases that
+/// are not put off do so themselves.
 template <int Dim>
 class StepRun {
  public:
@@ -46,6 +50,8 @@ class StepRun {
   const Grid<Dim>& grid() const { return state_.grid(); }
   /// Slots of this process's blocks that hold a deformable body.
   const std::vector<int>& blocks() const { return blocks_; }
+  /// Where redistribution reads contents in this step; kept where there are other processes.
+  MarkedCells& around_small() { return around_small_; }
   Counters& counters(int slot) { return state_.ledger[slot].counters; }
 
   /// f(slot, scratch) for every block that holds a deformable body.
@@ -71,17 +77,30 @@ class StepRun {
   void fill_stand_ins(FieldSet fields);
   /// Brings copies of other processes' blocks up to date, so many cells around own ones, as far as they are
   /// not. Collective.
-  void update_copies(FieldSet fields, int reach = widest_halo);
+  void update_copies(FieldSet fields, ReadAround read = {});
   /// The same for all of these, and for which blocks the bodies are in. Collective.
-  void exchange(FieldSet fields, int reach = widest_halo);
+  void exchange(FieldSet fields, ReadAround read = {});
+  /// Asks other processes for what the fits and ghosts of own blocks read of theirs (AveragesSent::asked,
+  /// WallsSent::asked) in the rest of the step. Collective.
+  void ask_for_cells();
   /// Says that a field has changed other than in a phase.
   void has_changed(FieldSet fields);
 
  private:
+  /// What is said to another process, and what is done with what it says: by number among Mesh::peers().
+  struct Talk {
+    std::function<parallel::Bytes(std::size_t peer)> say;
+    std::function<void(std::size_t peer, const parallel::Bytes& bytes)> hear;
+  };
+  /// A phase that is put off: of the blocks, or half of an exchange, which has two phases of the other
+  /// processes.
   struct Queued {
+    enum class Kind : std::uint8_t { work, send, receive };
+    Kind kind;
     StepPhase part;
-    const FieldAccess* fields;
-    std::function<void(int slot, Scratch& scratch)> work;
+    const FieldAccess* fields;                             // of work
+    std::function<void(int slot, Scratch& scratch)> work;  // of work
+    Talk talk{};                                           // of an exchange
   };
 
   template <class F>
@@ -89,15 +108,23 @@ class StepRun {
   template <class F>
   void run_on(const std::vector<int>& slots, F&& f);
   void list_blocks();
-  void make_chain(const std::vector<std::size_t>& cost);
+  void make_chain(const std::vector<std::size_t>& cost, bool shared);
+  void talk_to_all(const Talk& talk);
+  bool has_arrived(std::size_t peer, const Queued& phase);
+  void work_on_peer(std::size_t peer, const Queued& phase);
+  using PartTimes = std::array<double, static_cast<std::size_t>(StepPhase::count)>;  // s
+  void note_times(const PartTimes& all, double wall);
 
   State<Dim>& state_;
   Engine& engine_;
   std::vector<int> blocks_;
   std::vector<std::vector<int>> by_level_;  // the same
   bool shared_ = false;                     // by threads
-  std::optional<parallel::Chain> chain_;    // of blocks_, where phases are put off
+  std::optional<parallel::Chain> chain_;    // of other processes, then blocks_, where phases are put off
+  std::vector<std::optional<parallel::Bytes>> arrived_;  // by peer: what an exchange has brought
   std::vector<Queued> queued_;
+  MarkedCells around_small_;
+  std::vector<AskedCells> asked_;  // by peer
   // Cells around own blocks in which copies of a stale field are up to date all the same.
   std::array<int, static_cast<std::size_t>(Field::count)> fresh_within_{};
 };
@@ -114,8 +141,8 @@ template <int Dim>
 template <class F>
 void StepRun<Dim>::queue_each_slot(StepPhase part, const PhaseAccess& access, F&& f) {
   if (!chain_) return run(blocks_, part, access, f);
-  update_copies(access.fields.around, access.reach);
-  queued_.push_back({part, &access.fields, std::forward<F>(f)});
+  update_copies(access.fields.around, access.around);
+  queued_.push_back({Queued::Kind::work, part, &access.fields, std::forward<F>(f)});
   has_changed(access.fields.writes);
 }
 
@@ -129,7 +156,7 @@ template <int Dim>
 template <class F>
 void StepRun<Dim>::run(const std::vector<int>& slots, StepPhase part, const PhaseAccess& access, F&& f) {
   run_queued();
-  update_copies(access.fields.around, access.reach);
+  update_copies(access.fields.around, access.around);
   const Timers<StepPhase>::Span span(engine_.timers, part);
   run_on(slots, [&](int slot, Scratch& scratch) {
     const FieldGuard<Dim> guard(state_, slot, access.fields);

@@ -119,6 +119,7 @@ Simulation<Dim>::Simulation(const LoadedCase& loaded, const SimulationOptions& o
                             world.size() > 1 ? "es" : "", options.threads, options.threads > 1 ? "s" : "",
                             options.folder.string()));
   recorder_.emplace(case_, state_, world, options.folder, &team_);
+  engine_.contents_between_steps = recorder_->reads_contents_around();
   if (options.checkpoint.empty()) {
     scheme_.prepare(state_, engine_);
     regrid(state_, engine_, refinement_);

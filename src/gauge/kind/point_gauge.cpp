@@ -18,6 +18,7 @@ class PointWatch : public GaugeWatch<Dim> {
                .velocity = {}},
         item_(setup.sums.item(point_sums<Dim>)) {}
 
+  bool reads_contents_around() const override { return true; }
   bool follows_every_step() const override { return point_.follows; }
   void choose_columns(std::vector<SeriesColumn>& columns) const override {
     if (!point_.follows) columns.resize(columns.size() - Dim);

@@ -113,5 +113,45 @@ TEST(Chain, ThreadsGetTheSameCost) {
   EXPECT_EQ(chain.first_of(3), 6);
 }
 
+/// What must wait for something from elsewhere holds up those beside it alone, and these go on once it is
+/// there: one thread that waits for a message computes whatever does not need it.
+TEST(Chain, WhatWaitsForAMessageHoldsUpWhatIsBesideItAlone) {
+  constexpr int items = 12, phases = 3, possible = 11 + 10 + 9;
+  for (const int threads : {1, 2}) {
+    Team team(threads);
+    Chain chain(team, line(items), alike(items));
+    std::atomic<int> others{0}, asked{0};
+    const auto begun = std::chrono::steady_clock::now();
+    const auto late = [&] { return std::chrono::steady_clock::now() - begun < std::chrono::seconds(20); };
+    int before_the_message = -1;
+    chain.run(
+        phases,
+        [&](int item, int phase, int) {
+          if (item != 0) ++others;
+          if (item == 0 && phase == 0) before_the_message = others;
+        },
+        [&](int item, int phase, int worker) {
+          if (item != 0 || phase != 0) return true;
+          if (worker != 0) return false;
+          ++asked;
+          return others >= possible || !late();
+        });
+    EXPECT_EQ(before_the_message, possible);
+    EXPECT_EQ(others, 11 * phases);
+    EXPECT_GT(asked, 1);
+  }
+}
+
+/// Of what a thread may do it does first what others wait for.
+TEST(Chain, UrgentItemsComeFirst) {
+  constexpr int items = 6;
+  Team team(1);
+  const std::vector<std::vector<int>> beside(items);
+  Chain chain(team, beside, alike(items), {0, 0, 0, 1, 0, 1});
+  std::vector<int> order;
+  chain.run(1, [&](int item, int, int) { order.push_back(item); });
+  EXPECT_EQ(order, (std::vector<int>{3, 5, 0, 1, 2, 4}));
+}
+
 }  // namespace
 }  // namespace recoil::parallel

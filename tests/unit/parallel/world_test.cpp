@@ -5,11 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/error.hpp"
 #include "parallel/pieces.hpp"
+#include "parallel/post.hpp"
 #include "parallel/traffic.hpp"
 #include "session.hpp"
 
@@ -158,6 +160,39 @@ TEST_F(MpiWorld, LongMessagesGoInPieces) {
   Bytes bytes = r == n - 1 ? Bytes{} : bytes_of(9, 500);
   world.broadcast(bytes);
   EXPECT_EQ(bytes, bytes_of(9, 500));
+}
+
+/// Several posted messages of all lengths arrive whole and in order, whole pieces and empty ones, too.
+void check_posts(const World& world) {
+  const int n = world.size(), r = world.rank();
+  const std::vector<std::size_t> lengths{1, 75, 0, 500, 150, 3};
+  for (int q = 0; q < n; ++q)
+    for (std::size_t k = 0; q != r && k < lengths.size(); ++k)
+      post(q, bytes_of(static_cast<int>(k) + 10 * r, lengths[k]));
+  for (int q = n - 1; q >= 0; --q)
+    for (std::size_t k = 0; q != r && k < lengths.size(); ++k)
+      EXPECT_EQ(wait_for_posted(q), bytes_of(static_cast<int>(k) + 10 * q, lengths[k])) << k;
+  wait_until_taken();
+}
+
+TEST_F(MpiWorld, PostedMessagesArriveInOrder) { check_posts(world); }
+
+TEST_F(MpiWorld, LongPostedMessagesGoInPieces) {
+  const ShortPieces pieces(300);  // bytes; 75 and 150 numbers are whole pieces
+  check_posts(world);
+}
+
+TEST_F(MpiWorld, NothingIsTakenBeforeItIsPosted) {
+  const int n = world.size(), r = world.rank();
+  const int next = (r + 1) % n, last = (r + n - 1) % n;
+  EXPECT_FALSE(take_posted(last).has_value());
+  world.max(0.0);  // all have looked
+  post(next, bytes_of(r, 7));
+  std::optional<Bytes> found;
+  while (!found) found = take_posted(last);
+  EXPECT_EQ(*found, bytes_of(last, 7));
+  EXPECT_FALSE(take_posted(last).has_value()) << "taken once";
+  wait_until_taken();
 }
 
 TEST_F(MpiWorld, CountsWhatIsSent) {

@@ -12,6 +12,7 @@
 
 #include "../core/dimensions.hpp"
 #include "../mesh/grids.hpp"
+#include "parallel/post.hpp"
 
 namespace recoil {
 namespace {
@@ -168,7 +169,7 @@ struct MpiExchange : testing::Test {
   static void check(Edge edge, int reach) {
     State<dim> state = make<dim>(edge);
     const parallel::World world;
-    exchange_fields(state, world, sent_fields, reach);
+    exchange_fields(state, world, sent_fields, {reach});
     EXPECT_GT(state.mesh.slots(), state.mesh.local()) << "there are copies";
     std::vector<std::int64_t> held{0};
     for (int s = state.mesh.local(); s < state.mesh.slots(); ++s)
@@ -212,6 +213,101 @@ TYPED_TEST(MpiExchange, FieldsAndPresence) {
     EXPECT_FALSE(state.bodies[0].present(s));
     EXPECT_EQ(state.bodies[1].present(s), state.mesh.block(s).order % 2 == 0);
   }
+}
+
+/// The numbers of a cell in a copy, and whether they were sent.
+enum class Sent { all, none };
+template <int dim>
+void expect_contents(const State<dim>& state, int s, std::size_t k, Sent sent) {
+  const auto& got = state.bodies[0].at(s).contents.raw();
+  const std::size_t n = state.bodies[0].at(s).volume.raw().size();
+  Body<dim> body;
+  body.blocks.resize(1);
+  enter_block(body, 0, state.grid());
+  fill<dim>(body.at(0), state.mesh.block(s).order, false);
+  for (std::size_t c = 0; c < Components<dim>::contents; ++c) {
+    const double value = body.at(0).contents.raw()[c * n + k];
+    if (sent == Sent::all)
+      ASSERT_EQ(got[c * n + k], value) << k;
+    else
+      ASSERT_TRUE(untouched(got[c * n + k], 0.0)) << k;
+  }
+}
+
+/// Contents of cut cells go over, others do not.
+TYPED_TEST(MpiExchange, ContentsOfCutCellsAlone) {
+  constexpr int dim = TestFixture::dim, reach = 2;
+  State<dim> state = make<dim>(Edge::outflow);
+  const parallel::World world;
+  for (int s = 0; s < state.mesh.local(); ++s)
+    if (BodyBlock<dim>& b = state.bodies[0].at(s); b.present)
+      b.end_geometry.cuts.raw() = b.geometry.cuts.raw();
+  exchange_fields(state, world, Field::contents | Field::volume,
+                  {.cells = reach, .contents = ContentsSent::of_cut_cells});
+  const Box<dim> layout = state.grid().layout();
+  int sent = 0, kept = 0;
+  for (int s = state.mesh.local(); s < state.mesh.slots(); ++s) {
+    if (!state.bodies[0].present(s)) continue;
+    for (int k = 0; k < layout.size(); ++k) {
+      if (distance_to_own(state.mesh, state.mesh.block(s).cells.lo + layout.index(k)) > reach) continue;
+      const bool cut = k % cut_every == 0;
+      (cut ? sent : kept) += 1;
+      expect_contents(state, s, static_cast<std::size_t>(k), cut ? Sent::all : Sent::none);
+    }
+  }
+  std::vector<std::int64_t> all{sent, kept};
+  world.sum(all);
+  EXPECT_GT(all[0], 0);
+  EXPECT_GT(all[1], 0);
+}
+
+/// Of walls that were asked for all goes over, of others how matter and wall move.
+TYPED_TEST(MpiExchange, WallsThatWereAskedFor) {
+  constexpr int dim = TestFixture::dim;
+  State<dim> state = make<dim>(Edge::outflow);
+  const parallel::World world;
+  const auto& peers = state.mesh.peers();
+  exchange_fields(state, world, FieldSet(Field::geometry));
+  // Each own block follows the first wall of each block around.
+  for (int s = 0; s < state.mesh.local(); ++s) {
+    BodyBlock<dim>& b = state.bodies[0].at(s);
+    for (Wall<dim>& wall : b.walls.raw()) wall.donors = 4, wall.mean_velocity[0] = 3, wall.value[0] = 2;
+    if (!b.present) continue;
+    for (const int other : state.mesh.block(s).neighbour) {
+      if (other < state.mesh.local() || !state.bodies[0].present(other)) continue;
+      if (state.bodies[0].at(other).geometry.cuts.raw().empty()) continue;
+      b.ghosts.raw().emplace_back().slot = other;
+    }
+  }
+  std::vector<AskedCells> asked;
+  for (const auto& peer : peers) parallel::post(peer.rank, ask_for_cells(state, peer));
+  for (const auto& peer : peers)
+    asked.push_back(take_asked_cells(state, peer, parallel::wait_for_posted(peer.rank)));
+  for (std::size_t p = 0; p < peers.size(); ++p)
+    parallel::post(peers[p].rank, pack_fields(state, peers[p], Field::walls,
+                                              {.walls = WallsSent::asked, .asked = &asked[p]}));
+  for (const auto& peer : peers)
+    unpack_fields(state, peer, world.rank(), Field::walls, {.walls = WallsSent::asked},
+                  parallel::wait_for_posted(peer.rank));
+  std::vector<std::int64_t> seen{0, 0};
+  for (int s = 0; s < state.mesh.local(); ++s)
+    for (const GhostCell<dim>& ghost : state.bodies[0].at(s).ghosts.raw()) {
+      const BodyBlock<dim>& b = state.bodies[0].at(ghost.slot);
+      const auto cell = static_cast<std::size_t>(b.geometry.cuts.raw()[0].cell);
+      ASSERT_EQ(b.walls.raw().size(), b.geometry.cuts.raw().size());
+      EXPECT_EQ(b.walls.raw()[0].traction, -number(state.mesh.block(ghost.slot).order, cell)) << "all of it";
+      ++seen[0];
+      for (std::size_t k = 1; k < b.walls.raw().size(); ++k, ++seen[1]) {
+        const Wall<dim>& wall = b.walls.raw()[k];
+        EXPECT_EQ(wall.traction, 0) << "not asked for";
+        EXPECT_EQ(wall.donors, 4);
+        EXPECT_EQ(wall.mean_velocity[0], 3);
+        EXPECT_EQ(wall.value[0], 2);
+      }
+    }
+  world.sum(seen);
+  EXPECT_EQ(seen[0] > 0, dim > 1) << "in a line no two blocks with the body touch";
+  EXPECT_EQ(seen[1] > 0, dim > 1);
 }
 
 /// The same numbers go over again where they have changed back to nothing.

@@ -92,6 +92,71 @@ TYPED_TEST(StepRuns, DebugBuildsStopAPhaseThatTouchesWhatItHasNotDeclared) {
 #endif
 }
 
+/// Run by mpirun with several processes.
+template <class D>
+struct MpiStepRuns : StepRuns<D> {
+  static constexpr int dim = D::value;
+  using Values = FieldArray<double> BodyBlock<dim>::*;
+  void SetUp() override {
+    if (!several_processes()) GTEST_SKIP() << "for mpirun";
+  }
+  static State<dim> make() {
+    const Grid<dim> grid = make_test_grid<dim>(dim == 3 ? 24 : 64, 8, Edge::outflow);
+    return make_test_state<dim>(grid, {ball<dim>(middle_of(grid), 0.45 * grid.cells[0] * grid.dx)});
+  }
+  /// Takes the first value of all blocks around.
+  static void take(const State<dim>& state, Body<dim>& body, int slot, Values from, Values to) {
+    double sum = static_cast<double>(state.mesh.block(slot).order);
+    for (const int s : state.mesh.block(slot).neighbour)
+      if (s >= 0 && body.present(s)) sum = 0.5 * sum + (body.at(s).*from).raw()[0];
+    (body.at(slot).*to).raw()[0] = sum;
+  }
+  static std::vector<double> first_values(const State<dim>& state) {
+    std::vector<double> values;
+    for (int slot = 0; slot < state.mesh.local(); ++slot)
+      if (state.bodies[0].present(slot)) values.push_back(state.bodies[0].at(slot).volume.raw()[0]);
+    return values;
+  }
+};
+TYPED_TEST_SUITE(MpiStepRuns, Dimensions);
+
+/// Phases and exchanges in one chain, in which blocks go on while messages travel, give what all blocks give
+/// that wait for all messages.
+TYPED_TEST(MpiStepRuns, ExchangesInAChainBringWhatExchangesAtOnceBring) {
+  using This = TestFixture;
+  constexpr int dim = This::dim;
+  using Block = BodyBlock<dim>;
+  State<dim> at_once = This::make();
+  for (int k = 0; k < 5; ++k)
+    for (const bool there : {true, false}) {
+      exchange_fields(at_once, this->world, there ? Field::volume : Field::phi);
+      for (int slot = 0; slot < at_once.mesh.local(); ++slot)
+        if (Body<dim>& body = at_once.bodies[0]; body.present(slot))
+          This::take(at_once, body, slot, there ? &Block::volume : &Block::phi,
+                     there ? &Block::phi : &Block::volume);
+    }
+  for (const int threads : {1, 3}) {
+    State<dim> state = This::make();
+    state.stale = FieldSet::all();
+    parallel::Team team(threads);
+    Engine engine{this->world, team, {}};
+    engine.least_work = 0;
+    StepRun<dim> step(state, engine);
+    static constexpr FieldAccess there{"there", Field::volume, {}, Field::phi},
+        back{"back", Field::phi, {}, Field::volume};
+    for (int k = 0; k < 5; ++k) {
+      step.queue_each_body(StepPhase::moves, there, [&](Body<dim>& body, int slot, Scratch&) {
+        This::take(state, body, slot, &Block::volume, &Block::phi);
+      });
+      step.queue_each_body(StepPhase::moves, back, [&](Body<dim>& body, int slot, Scratch&) {
+        This::take(state, body, slot, &Block::phi, &Block::volume);
+      });
+    }
+    step.run_queued();
+    EXPECT_EQ(This::first_values(state), This::first_values(at_once)) << threads;
+  }
+}
+
 /// The declarations are complete: every field once, with a name of its own, and a memory.
 TEST(Fields, AreDeclaredOnce) {
   FieldSet seen;
