@@ -19,7 +19,11 @@ namespace {
 
 constexpr double member_fill = 0.001;  // least part of a cell that a member fills
 constexpr double merge_fill = 0.02;    // least volume of a neighbourhood
-constexpr double home_fill = 0.3;      // where lone fragments go
+// A surface that crosses its cell within a step leaves it a negative volume, which takes the share of its
+// neighbourhood in a whole neighbour, half of it, down to nothing: the mean would be a large multiple of what
+// the two differ by. Shares of at least this part of a cell are needed.
+constexpr double least_shares = 0.25;
+constexpr double home_fill = 0.3;  // where lone fragments go
 // Differences of density, in parts of it, between the two cells behind a pair: calm ones, and a strong shock.
 constexpr double calm_jump = 0.05, shocked_jump = 0.1;
 constexpr int reach = 8;  // own cells <- neighbourhoods (2) <- members (2) <- their counts (2 + 2)
@@ -101,13 +105,13 @@ class Redistribution {
   }
   void gather_phi() { phi_ = view_level_set(grid_, body_, window_, &BodyBlock<Dim>::phi, scratch_); }
 
-  void add_member(Neighbourhood& s, const Index<Dim>& i, double& sum) {
+  void add_member(Neighbourhood& s, const Index<Dim>& i, double& others) {
     const int k = window_.at(i);
     if (volume_[k] <= member_fill * full(i)) return;
     for (int m = 0; m < s.members; ++m)
       if (members_[s.first + m] == k) return;
     members_[s.first + s.members++] = k;
-    sum += volume_[k];
+    others += volume_[k];
   }
 
   /// The inward neighbour along the steepest axis; then the other axes and the diagonals towards the inside,
@@ -121,26 +125,30 @@ class Redistribution {
     std::stable_sort(axis.begin(), axis.end(), [&](int a, int b) { return std::abs(g[a]) > std::abs(g[b]); });
     s.members = 0;
     members_[s.first + s.members++] = s.cell;
-    double sum = volume_[s.cell];
+    const double own_volume = volume_[s.cell], shares = least_shares * full(i);
+    double others = 0;
+    const auto enough = [&] {
+      return own_volume + others >= target && (own_volume >= 0 || own_volume + 0.5 * others >= shares);
+    };
     const auto inward = [&](int d) { return g[d] > 0 ? -1 : 1; };
     s.axis = axis[0];
     s.direction = inward(axis[0]);
     for (const unsigned subset : subsets_by_size()) {
-      if (subset != 1 && sum >= target) return;
+      if (subset != 1 && enough()) return;
       if (subset != 1) s.axis = -1;
       Index<Dim> j = i;
       for (int d = 0; d < Dim; ++d)
         if ((subset >> d & 1U) != 0) j[axis[d]] += inward(axis[d]);
-      add_member(s, j, sum);
+      add_member(s, j, others);
     }
-    if (sum >= target) return;
+    if (enough()) return;
     s.axis = -1;
     const bool own = window_.inner().contains(i);
-    for (int ring = 1; ring <= 2 && sum < target; ++ring) {
+    for (int ring = 1; ring <= 2 && !enough(); ++ring) {
       if (own) ++(ring == 1 ? counters_.wide_neighbourhoods : counters_.widest_neighbourhoods);
       Box<Dim> box{i, i};
       for (int d = 0; d < Dim; ++d) box.lo[d] -= ring, box.hi[d] += ring + 1;
-      for_each(box, [&](const Index<Dim>& j) { add_member(s, j, sum); });
+      for_each(box, [&](const Index<Dim>& j) { add_member(s, j, others); });
     }
   }
 

@@ -28,7 +28,7 @@ namespace {
 constexpr double least_averaged = 0.1, thinnest_averaged = 0.4, densest_averaged = 1.2;
 // The mean of Runge and Kutta of a fragment that has lost more than this part of its volume in the step is
 // one of an old volume and a negative one: it lies outside of the two states.
-constexpr double least_of_old = 0.5;
+constexpr double least_of_old = 0.75;
 constexpr double thinnest_used = 0.4;  // likewise: a fragment below it is of no use to fits and stencils ...
 constexpr double thinnest_failed = 1e-3;  // ... unless it has failed (of rho0): then most of it may be void
 constexpr double near_front =
@@ -132,8 +132,10 @@ RECOIL_MULTIVERSION void find_averaged(AveragedRow row, int count, Averaged* to)
 /// Runs of good donors, which go through the same loop as whole rows.
 template <int Dim, class EosModel>
 void average_donors(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
-                    Counters& counters, bool is_mean) {
+                    Counters& counters, AveragesOf what) {
   BodyBlock<Dim>& b = body.at(slot);
+  const bool is_mean = what == AveragesOf::mean;
+  const bool old_is_kept = what != AveragesOf::start && !b.contents_old.empty();
   const Grid<Dim>& grid = state.grid(slot);
   const Index<Dim> lo = state.mesh.block(slot).cells.lo;
   const Box<Dim> layout = grid.layout();
@@ -155,11 +157,11 @@ void average_donors(const State<Dim>& state, const EosModel& eos, Body<Dim>& bod
                    densest_averaged * range.most * eos.rho0},
                   width, averaged.data());
     for (int c = 0; c < width; ++c) {
-      const auto what = [&](int at) { return averaged[static_cast<std::size_t>(at)]; };
-      if (what(c) == Averaged::no) continue;
-      if (what(c) == Averaged::yes) {
+      const auto is = [&](int at, Averaged how) { return averaged[static_cast<std::size_t>(at)] == how; };
+      if (is(c, Averaged::no)) continue;
+      if (is(c, Averaged::yes)) {
         const int first = c;
-        while (c + 1 < width && what(c + 1) == Averaged::yes) ++c;
+        while (c + 1 < width && is(c + 1, Averaged::yes)) ++c;
         row_primitives<Dim>(eos, k + static_cast<std::size_t>(first), static_cast<std::size_t>(c + 1 - first),
                             b.volume.size(), b.contents.data(), b.volume.data(), b.average.data());
         continue;
@@ -171,18 +173,21 @@ void average_donors(const State<Dim>& state, const EosModel& eos, Body<Dim>& bod
         throw StateError(
             body.name, point_of(state, slot, at - lo),
             "the density of " + body.name + " is not a number at " + place_of(state, slot, at - lo));
-      if (left && volume[c] > least[static_cast<std::size_t>(c)])
-        ++counters.averages_kept;  // of the stage before
+      if (left && volume[c] > least[static_cast<std::size_t>(c)]) ++counters.averages_kept;
+      // Its average is that at the start of the step: what `average` holds by now are stencil values.
+      if (old_is_kept)
+        row_primitives<Dim>(eos, k + static_cast<std::size_t>(c), 1, b.volume.size(), b.contents_old.data(),
+                            b.volume_old.data(), b.average.data());
     }
   });
 }
 
 template <int Dim, class EosModel>
 void average_block(const State<Dim>& state, const EosModel& eos, Body<Dim>& body, int slot,
-                   Counters& counters, bool is_mean) {
+                   Counters& counters, AveragesOf what) {
   BodyBlock<Dim>& b = body.at(slot);
   if (b.near_surface) {
-    average_donors(state, eos, body, slot, counters, is_mean);
+    average_donors(state, eos, body, slot, counters, what);
     return;
   }
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
@@ -226,10 +231,10 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
 
 template <int Dim>
 void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters,
-                        bool is_mean) {
+                        AveragesOf what) {
   BodyBlock<Dim>& b = body.at(slot);
   if (b.average.empty()) b.average.swap(b.stencil);  // which are over: they share their memory
-  std::visit([&](const auto& eos) { average_block(state, eos, body, slot, counters, is_mean); },
+  std::visit([&](const auto& eos) { average_block(state, eos, body, slot, counters, what); },
              body.material.eos);
   if (can_fail(body.material.damage)) relieve_averages(state, body, slot);
 }
@@ -369,9 +374,9 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   return fastest / state.grid(slot).dx;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                               \
-  template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);             \
-  template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, bool); \
+#define RECOIL_INSTANTIATE(Dim)                                                                     \
+  template void choose_roles<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);                   \
+  template void average_primitives<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, AveragesOf); \
   template double fastest_signal<Dim>(const State<Dim>&, const Body<Dim>&, int, double, Counters&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

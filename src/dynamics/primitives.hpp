@@ -36,13 +36,20 @@ Primitives<Dim> to_primitives(const EosModel& eos, const Contents<Dim>& q, doubl
 template <int Dim>
 void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters);
 
-/// Primitives of the averages of all donors of a block, into BodyBlock::average. @throws PhysicsError for a
-/// state that is not finite or has no density.
-/// @param is_mean whether contents and volumes are a Runge-Kutta mean with those of the start of the step;
-/// then fragments that have lost half of their volume since keep the average of the stage before.
+/// What averages are taken of.
+enum class AveragesOf : std::uint8_t {
+  start,  ///< a step
+  stage,  ///< the contents that a stage leaves
+  mean,   ///< their Runge-Kutta mean with those of the start of the step
+};
+
+/// Primitives of the averages of all donors of a block, into BodyBlock::average. Within a step a fragment
+/// whose volume or density allows none, or that has lost half of its volume to a mean, has the average that
+/// it had at the start of the step, where its contents are kept. @throws PhysicsError for a state that is not
+/// finite or has no density.
 template <int Dim>
 void average_primitives(const State<Dim>& state, Body<Dim>& body, int slot, Counters& counters,
-                        bool is_mean = false);
+                        AveragesOf what = AveragesOf::start);
 
 /// Largest (sum over axes of |u_d| + sound c_L)/dx [1/s] over fragments of at least half a cell.
 /// @param sound how often the speed of sound counts (sound_in_step)

@@ -85,6 +85,7 @@ StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& lim
 template <int Dim>
 void StateSurvey<Dim>::merge(Finding& into, const Finding& more) {
   into.count += more.count;
+  into.amount += more.amount;
   into.first = std::min(into.first, more.first);
   into.last = std::max(into.last, more.last);
   // The largest excess; among equal ones the earliest, then the first cell.
@@ -105,6 +106,7 @@ template <int Dim>
 void StateSurvey<Dim>::merge(Line& into, const Line& more) {
   into.cells += more.cells;
   into.cell_steps += more.cell_steps;  // whole numbers
+  into.heat += more.heat;
   for (std::size_t k = 0; k < state_checks; ++k) merge(into.found[k], more.found[k]);
   into.averaged += more.averaged;
   into.averaged_first = std::min(into.averaged_first, more.averaged_first);
@@ -120,52 +122,68 @@ void StateSurvey<Dim>::merge(Line& into, const Line& more) {
   into.averaged_last = std::max(into.averaged_last, more.averaged_last);
 }
 
+/// Adds a state that is found. @param weight of the state, of the amount that is found.
 template <int Dim>
-void StateSurvey<Dim>::look_at_cell(const State<Dim>& state, int m, int slot, const Index<Dim>& cell,
-                                    std::size_t k, Line& line) const {
+void StateSurvey<Dim>::note(const Look& look, Line& line, StateCheck check, const Index<Dim>& cell,
+                            const Excess& e) {
+  if (e.excess <= 0) return;  // true for NaN as well: an error of its own
+  Finding f;
+  f.count = static_cast<std::int64_t>(look.steps);
+  f.amount += look.steps * e.amount;
+  f.first = f.last = f.time = look.state.time;
+  f.excess = e.excess, f.worst = e.value, f.bound = e.bound;
+  f.cell = look.state.mesh.finest_index(look.slot, cell);
+  merge(line.found[static_cast<std::size_t>(check)], f);
+}
+
+template <int Dim>
+void StateSurvey<Dim>::look_at_cell(const Look& look, int m, const Index<Dim>& cell, std::size_t k) const {
+  const State<Dim>& state = look.state;
+  Line& line = look.lines[m];
+  const int slot = look.slot;
   const Body<Dim>& body = state.bodies[m];
   const BodyBlock<Dim>& b = body.at(slot);
-  const double volume = b.volume[k], fill = volume / state.grid(slot).full_volume(cell);
-  const auto note = [&](StateCheck check, double excess, double value, double bound) {
-    if (excess <= 0) return;  // true for NaN as well: an error of its own
-    Finding f;
-    f.count = 1, f.first = f.last = f.time = state.time;
-    f.excess = excess, f.worst = value, f.bound = bound, f.cell = state.mesh.finest_index(slot, cell);
-    merge(line.found[static_cast<std::size_t>(check)], f);
-  };
+  const double volume = b.volume[k], full = state.grid(slot).full_volume(cell), fill = volume / full;
+  const auto found = [&](StateCheck check, const Excess& e) { note(look, line, check, cell, e); };
   if (fill < judged_fill) return;
   const PointState<Dim> p = point_state(body, contents_of(b, static_cast<int>(k)), volume);
   if (fill * (1 - p.void_fraction) < judged_fill) return;  // voids are no matter
-  note(StateCheck::negative_strain, no_strain - p.plastic_strain, p.plastic_strain, 0);
+  found(StateCheck::negative_strain, {no_strain - p.plastic_strain, p.plastic_strain, 0});
   const TemperatureLaw& law = body.temperature;
   const bool by_energy = law.thermal().rule == Thermal::Rule::energy;
   const double solid = p.density * p.distension / (1 - p.void_fraction);
   const double coldest = by_energy ? law.on_isentrope(solid) : law.thermal().initial_temperature;
-  if (!body.detonation)  // temperatures of products are not known
-    note(StateCheck::negative_heat, coldest - (by_energy ? bounds_[m].noise : no_heat) - p.temperature,
-         p.temperature - coldest, 0);
-  if (fill < whole_fill) return;
   const double rho0 = density(body.material);
+  if (!body.detonation) {  // temperatures of products are not known
+    const double heating = p.temperature - coldest, cells = b.contents[k] / (rho0 * full);
+    if (heating > 0) line.heat += look.steps * cells * heating;
+    found(StateCheck::negative_heat,
+          {-(by_energy ? bounds_[m].noise : no_heat) - heating, heating, 0, -heating * cells});
+  }
+  if (fill < whole_fill) return;
   const DensityRange range = density_range(body.material.eos);
   const double least = range.least * rho0, most = range.most * rho0;
   const double sparse = p.damage >= failed_damage ? 0 : least - p.density;
-  note(StateCheck::density, std::max(sparse, p.density - most), p.density, p.density > rho0 ? most : least);
+  found(StateCheck::density,
+        {std::max(sparse, p.density - most), p.density, p.density > rho0 ? most : least});
   const Bounds& bounds = bounds_[m];
   const double tension = largest_principal(p);
-  note(StateCheck::tension, tension - bounds.tension, tension, bounds.tension);
+  found(StateCheck::tension, {tension - bounds.tension, tension, bounds.tension});
   // A model that softens melts by its own temperature; any other state is held against that of its energy.
   const double melting =
       bounds.softens ? melting_temperature(body.material.strength, p.compression) : bounds.melting;
   if (bounds.softens && p.temperature >= melting) {
-    note(StateCheck::molten, p.temperature - melting, p.temperature, melting);
+    found(StateCheck::molten, {p.temperature - melting, p.temperature, melting});
   } else {
     const double hot = by_energy ? p.temperature : law.by_energy(p.density, p.thermal_energy);
-    note(StateCheck::melting, hot - melting, hot, melting);
+    found(StateCheck::melting, {hot - melting, hot, melting});
   }
 }
 
 template <int Dim>
-void StateSurvey<Dim>::look_at_block(const State<Dim>& state, int slot, std::vector<Line>& lines) const {
+void StateSurvey<Dim>::look_at_block(const Look& look) const {
+  const State<Dim>& state = look.state;
+  const int slot = look.slot;
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = state.grid(slot).layout();
   std::vector<double> all(static_cast<std::size_t>(layout.size()), 0.0), most(all.size(), 0.0);
   std::vector<int> owner(all.size(), -1);
@@ -176,21 +194,18 @@ void StateSurvey<Dim>::look_at_block(const State<Dim>& state, int slot, std::vec
       const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
       const double volume = body.at(slot).volume[k];
       if (volume == 0) return;
-      ++lines[m].cells;
+      ++look.lines[m].cells;
       if (volume > most[k]) most[k] = volume, owner[k] = m;
       all[k] += volume * solid_part(body, slot, k);
-      if (volume > 0 && body.at(slot).contents[k] > 0) look_at_cell(state, m, slot, i, k, lines[m]);
+      if (volume > 0 && body.at(slot).contents[k] > 0) look_at_cell(look, m, i, k);
     });
   }
   for_each(cells, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     const double fill = all[k] / state.grid(slot).full_volume(i);
-    if (!(fill > most_fill_)) return;
-    Finding f;
-    f.count = 1, f.first = f.last = f.time = state.time;
-    f.excess = fill - most_fill_, f.worst = fill, f.bound = most_fill_,
-    f.cell = state.mesh.finest_index(slot, i);
-    merge(lines[owner[k]].found[static_cast<std::size_t>(StateCheck::overfilled)], f);
+    if (fill > most_fill_)
+      note(look, look.lines[owner[k]], StateCheck::overfilled, i,
+           {fill - most_fill_, fill, most_fill_, fill - 1});
   });
 }
 
@@ -199,19 +214,20 @@ void StateSurvey<Dim>::look(const State<Dim>& state, parallel::Team* team) {
   const int local = state.mesh.local();
   std::vector<std::vector<Line>> blocks(static_cast<std::size_t>(local),
                                         std::vector<Line>(state.bodies.size()));
-  const auto work = [&](int slot, int) { look_at_block(state, slot, blocks[slot]); };
+  const auto steps = state.step - last_;
+  const auto work = [&](int slot, int) {
+    look_at_block({state, slot, static_cast<double>(steps), blocks[slot]});
+  };
   if (team != nullptr && team->threads() > 1)
     team->run(local, work);
   else
     for (int slot = 0; slot < local; ++slot) work(slot, 0);
-  const auto steps = state.step - last_;
   last_ = state.step;
   for (Line& line : lines_) line.cells = 0;
   for (const auto& block : blocks)
     for (std::size_t m = 0; m < lines_.size(); ++m) {
       Line more = block[m];
       more.cell_steps = static_cast<double>(more.cells * steps);
-      for (Finding& f : more.found) f.count *= steps;
       merge(lines_[m], more);
     }
 }
@@ -265,12 +281,13 @@ std::vector<BodyEvidence> StateSurvey<Dim>::told(const State<Dim>& state,
     e.name = state.bodies[m].name;
     e.by_energy = state.bodies[m].material.thermal.rule == Thermal::Rule::energy;
     e.cell_steps = e.looked_at = line.cell_steps;
+    e.heat = line.heat.value();
     e.averaged = line.averaged;
     e.averaged_first = line.averaged_first, e.averaged_last = line.averaged_last;
     e.averaged_place = line.averaged_place;
     for (std::size_t k = 0; k < state_checks; ++k) {
       const Finding& f = line.found[k];
-      e.states[k] = {f.count, f.first, f.last, f.worst, f.bound, f.time, {}};
+      e.states[k] = {f.count, f.amount.value(), f.first, f.last, f.worst, f.bound, f.time, {}};
       const Vec<Dim> x = state.grid().centre(f.cell);
       for (int d = 0; d < Dim; ++d) e.states[k].place[d] = x[d];
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/section/limits.hpp"
+#include "core/exact_sum.hpp"
 #include "parallel/team.hpp"
 #include "parallel/world.hpp"
 #include "record/validity.hpp"
@@ -56,6 +57,7 @@ class StateSurvey {
   /// The finding of one body in one block or more.
   struct Finding {
     std::int64_t count = 0;
+    ExactSum amount;  // StateFinding::amount
     double first = std::numeric_limits<double>::infinity(), last = -1;
     double excess = -1, worst = 0, bound = 0, time = 0;
     Index<Dim> cell{};
@@ -63,6 +65,7 @@ class StateSurvey {
   struct Line {
     std::int64_t cells = 0;  // of the last look
     double cell_steps = 0;
+    ExactSum heat;  // BodyEvidence::heat
     std::array<Finding, state_checks> found;
     std::int64_t averaged = 0;
     double averaged_first = std::numeric_limits<double>::infinity(), averaged_last = -1;
@@ -76,9 +79,21 @@ class StateSurvey {
   static std::vector<Line> gathered(std::vector<Line> lines, const parallel::World& world);
   std::vector<Line> own_lines(const State<Dim>& state, const AveragedStates* averaged) const;
   std::vector<BodyEvidence> told(const State<Dim>& state, const std::vector<Line>& lines) const;
-  void look_at_block(const State<Dim>& state, int slot, std::vector<Line>& lines) const;
-  void look_at_cell(const State<Dim>& state, int m, int slot, const Index<Dim>& cell, std::size_t k,
-                    Line& line) const;
+  /// A look at one block. @param steps that it stands for.
+  struct Look {
+    const State<Dim>& state;
+    int slot;
+    double steps;
+    std::vector<Line>& lines;
+  };
+  void look_at_block(const Look& look) const;
+  void look_at_cell(const Look& look, int m, const Index<Dim>& cell, std::size_t k) const;
+  /// A state of which something is beyond a bound; none where `excess` is not above 0. @param amount that
+  /// it adds to StateFinding::amount.
+  struct Excess {
+    double excess, value, bound, amount = 0;
+  };
+  static void note(const Look& look, Line& line, StateCheck check, const Index<Dim>& cell, const Excess& e);
 
   /// What a body's states are held against.
   struct Bounds {

@@ -26,7 +26,7 @@ constexpr std::array counter_limits{
     CounterLimit{"faces-at-open-edges", &L::faces_at_open_edges, "faces at open edges lacked a value"},
     CounterLimit{"cuts-without-donor", &L::cuts_without_donor, "cut cells had no fit"},
     CounterLimit{"ghosts-without-wall", &L::ghosts_without_wall, "cells beyond a surface had no wall"},
-    CounterLimit{"averages-kept", &L::averages_kept, "averages of the stage before were kept"},
+    CounterLimit{"averages-kept", &L::averages_kept, "averages of the start of the step were kept"},
     CounterLimit{"fragments-too-thin", &L::fragments_too_thin, "fragments were too thin to be used"},
     CounterLimit{"real-cells-without-contents", &L::real_cells_without_contents,
                  "cells inside a body held nothing of it"},
@@ -45,10 +45,12 @@ constexpr std::array counter_limits{
                  "negative plastic strains or heatings were set to zero"}};
 
 /// What a finding about states is called, how a value of it is written, and what limits it.
+enum class PartOf : std::uint8_t { states, matter, heat };
 struct StateText {
   const char *name, *text, *unit;
   double factor;
   double config::Limits::*limit;
+  PartOf of = PartOf::states;  // what is limited
 };
 constexpr std::array<StateText, state_checks> state_texts{
     {{"density", "had a density outside of 0.5 to 2.5 of that at rest", "kg/m3", 1, &L::density},
@@ -56,8 +58,9 @@ constexpr std::array<StateText, state_checks> state_texts{
      {"melting", "were hotter by their energy than the melting temperature, which the model does not know",
       "K", 1, &L::melting},
      {"negative-plastic-strain", "had a plastic strain below zero", "", 1, &L::negative_plastic_strain},
-     {"negative-heating", "were colder than at the start", "K", 1, &L::negative_heating},
-     {"overfilled-cells", "held more matter than there is room", "cells", 1, &L::overfilled_cells},
+     {"negative-heating", "was missing in states colder than at the start", "K", 1, &L::negative_heating,
+      PartOf::heat},
+     {"overfilled-cells", "had no room in its cells", "cells", 1, &L::overfilled_cells, PartOf::matter},
      {"molten", "were molten, and without strength", "K", 1, nullptr}}};
 
 /// What helps against a reason, where that is known.
@@ -75,6 +78,8 @@ constexpr std::array cures{Cure{"tension",
                                 "[material.*.thermal], or Steinberg-Guinan"},
                            Cure{"thickness", "a finer mesh.finest"}, Cure{"unstable-steps", unstable_cure},
                            Cure{"unstable-steps-stop", unstable_cure}};
+
+constexpr double told_part = 1e-5;  // of matter or heat: less is not told
 
 std::string percent(double part) { return fmt::format("{:.{}g} %", 100 * part, part >= 0.995 ? 3 : 2); }
 
@@ -193,8 +198,36 @@ void judge_budgets(const Evidence& e, const config::Limits& limits, Verdict& v) 
 
 const char* text_of(StateCheck check, const BodyEvidence& b) {
   if (check == StateCheck::negative_heat && b.by_energy)
-    return "were colder than the isentrope through the start";
+    return "was missing in states colder than the isentrope through the start";
   return state_texts[static_cast<std::size_t>(check)].text;
+}
+
+const char* text_of(PartOf of) {
+  constexpr std::array texts{"cell states", "matter", "heat"};
+  return texts[static_cast<std::size_t>(of)];
+}
+
+double part_of(const BodyEvidence& b, const StateFinding& f, PartOf of) {
+  switch (of) {
+    case PartOf::states:
+      return part_of(static_cast<double>(f.count), b.looked_at);
+    case PartOf::matter:
+      return part_of(f.amount, b.looked_at);
+    case PartOf::heat:
+      return part_of(f.amount, b.heat);
+  }
+  return 0;
+}
+
+/// What a finding says. @param part that is beyond the bound.
+std::string text_of(const Evidence& e, const BodyEvidence& b, StateCheck check, double part) {
+  const auto k = static_cast<std::size_t>(check);
+  const StateFinding& f = b.states[k];
+  const StateText& t = state_texts[k];
+  return fmt::format("{} of the {} of {} {} ({}, {}; worst {:.4g}{}{} at {}, {:.4g} us)", percent(part),
+                     text_of(t.of), b.name, text_of(check, b), t.name, span_text(f.first, f.last),
+                     f.worst * t.factor, *t.unit != 0 ? " " : "", t.unit, place_text(f.place, e.dimensions),
+                     f.worst_time * 1e6);
 }
 
 void judge_states(const Evidence& e, const config::Limits& limits, Verdict& v) {
@@ -202,17 +235,18 @@ void judge_states(const Evidence& e, const config::Limits& limits, Verdict& v) {
     for (std::size_t k = 0; k < state_checks; ++k) {
       const StateFinding& f = b.states[k];
       const StateText& t = state_texts[k];
-      const double part = part_of(static_cast<double>(f.count), b.looked_at);
-      if (!(part > (t.limit != nullptr ? limits.*t.limit : 0))) continue;
-      const std::string text = fmt::format(
-          "{} of the cell states of {} {} ({}, {}; worst {:.4g}{}{} at {}, {:.4g} us)", percent(part), b.name,
-          text_of(static_cast<StateCheck>(k), b), t.name, span_text(f.first, f.last), f.worst * t.factor,
-          *t.unit != 0 ? " " : "", t.unit, place_text(f.place, e.dimensions), f.worst_time * 1e6);
+      const double part = part_of(b, f, t.of), limit = t.limit != nullptr ? limits.*t.limit : 0;
+      // Single states that weigh little are told where they are.
+      const bool told = t.of != PartOf::states && part > told_part;
+      if (!(part > limit) && !told) continue;
+      const std::string text = text_of(e, b, static_cast<StateCheck>(k), part);
       if (t.limit == nullptr)
         v.remarks.push_back(text);
+      else if (!(part > limit))
+        v.remarks.push_back(text + "; the limit is " + percent(limit));
       else
-        v.reasons.push_back({t.name, b.name, text, part, limits.*t.limit, f.first, f.last,
-                             coordinates(f.place, e.dimensions)});
+        v.reasons.push_back(
+            {t.name, b.name, text, part, limit, f.first, f.last, coordinates(f.place, e.dimensions)});
     }
 }
 

@@ -30,6 +30,7 @@ const char* name_of(StateCheck check);
 /// States of one body beyond one bound.
 struct StateFinding {
   std::int64_t count = 0;         ///< cell states, of those looked at
+  double amount = 0;              ///< overfilled: cells of matter without room; negative heat: as `heat`
   double first = 0, last = 0;     ///< s
   double worst = 0;               ///< the state farthest beyond, SI
   double bound = 0;               ///< what it is beyond, SI
@@ -42,6 +43,7 @@ struct BodyEvidence {
   std::string name;
   double cell_steps = 0;  ///< cells with matter, summed over the steps
   double looked_at = 0;   ///< those whose states were looked at
+  double heat = 0;        ///< K above what negative heat is below, times full cells of matter at rest
   std::int64_t averaged = 0;
   double averaged_first = 0, averaged_last = 0;  ///< s
   std::array<double, 3> averaged_place{};        ///< of the last one, m

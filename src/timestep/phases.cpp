@@ -69,9 +69,10 @@ void average_states(StepRun<Dim>& step) {
 template <int Dim>
 void refresh_averages(StepRun<Dim>& step, double old_weight) {
   static constexpr FieldAccess access{
-      "refresh averages", {}, contents | volume | volume_old | role, average | stencil};
+      "refresh averages", {}, contents | volume | contents_old | volume_old | role, average | stencil};
   step.queue_each_body(StepPhase::averages, access, [&step, old_weight](Body<Dim>& body, int slot, Scratch&) {
-    average_primitives(step.state(), body, slot, step.counters(slot), old_weight > 0);
+    average_primitives(step.state(), body, slot, step.counters(slot),
+                       old_weight > 0 ? AveragesOf::mean : AveragesOf::stage);
   });
 }
 

@@ -36,7 +36,7 @@ Entries<Limits> Limits::keys() {
            "those within three cells of an open edge of the domain"),
       part("cuts-without-donor", &L::cuts_without_donor, "cut cells without a fit"),
       part("ghosts-without-wall", &L::ghosts_without_wall, "cells beyond a surface without a wall"),
-      part("averages-kept", &L::averages_kept, "fragments whose average of the stage before stands"),
+      part("averages-kept", &L::averages_kept, "fragments whose average of the start of the step stands"),
       part("fragments-too-thin", &L::fragments_too_thin, "fragments that fits and stencils leave out"),
       part("real-cells-without-contents", &L::real_cells_without_contents,
            "ghost-fluid schemes: cells inside a body without matter"),
@@ -54,9 +54,11 @@ Entries<Limits> Limits::keys() {
            "plastic strains or heatings below zero that were set to zero"),
       part("negative-plastic-strain", &L::negative_plastic_strain, "plastic strain below zero"),
       part("negative-heating", &L::negative_heating,
-           "temperature below that of the start; by energy, below the isentrope through the start by more "
-           "than noise"),
-      part("overfilled-cells", &L::overfilled_cells, "cells with more matter than volume-fraction"),
+           "part of a body's heat that is missing in cells colder than at the start; by energy, colder than "
+           "the isentrope through the start by more than noise"),
+      part("overfilled-cells", &L::overfilled_cells,
+           "part of a body's matter that has no room: what is beyond whole cells in those with more than "
+           "volume-fraction"),
       part("volume-fraction", &L::volume_fraction, "of all bodies in a cell", "1.1"),
       part("density", &L::density, "whole cells with a density outside of 0.5 to 2.5 of that at rest"),
       part("tension", &L::tension, "whole cells under more tension than the material bears"),

@@ -1,5 +1,6 @@
 #include "cutcell/redistribution.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -131,6 +132,31 @@ TYPED_TEST(Redistributing, AStrongShockBehindTakesNothingOffTheSurface) {
     if (b.volume[k] == 0) return;
     EXPECT_GE(b.contents[k] / b.volume[k] / one[0], 1 - 1e-12);
   });
+}
+
+/// A surface that crosses its cell within a step leaves a negative volume. With one whole neighbour, half of
+/// which is its own, it would share next to nothing, and the mean would be off by a multiple of their
+/// difference.
+TYPED_TEST(Redistributing, ANegativePieceHasRoomInItsNeighbourhood) {
+  constexpr int dim = TestFixture::dim;
+  auto state = this->random_ball(this->grid, 0);
+  const auto one = per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+  auto thinner = one;
+  for (double& c : thinner) c *= 0.9;
+  int negative = 0;
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    if (negative > 0 || b.end_geometry.kind[k] != CellKind::cut) return;
+    ++negative;
+    set_piece(b, k, -0.47 * this->grid.full_volume(i), thinner);
+  });
+  EXPECT_EQ(negative, 1);
+  this->run(state);
+  double most = 0;
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+    if (b.volume[k] != 0) most = std::max(most, std::abs(b.contents[k] / b.volume[k] / one[0] - 1));
+  });
+  EXPECT_GT(most, 0.01);
+  EXPECT_LT(most, 0.25);
 }
 
 /// A fragment that was small at the start of the step is redistributed to the end of it, even if it has

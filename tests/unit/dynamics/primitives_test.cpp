@@ -1,5 +1,6 @@
 #include "dynamics/primitives.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -97,7 +98,6 @@ TYPED_TEST(States, RolesFollowTheVolume) {
   EXPECT_EQ(this->counters.fragments_too_thin, 1);
 }
 
-/// A donor that has lost its matter within a step keeps the average of the stage before.
 /// A donor of which next to nothing is left in its cell keeps its average: so does the rear of a fast body in
 /// every step, and that replaces nothing. What has become too dense keeps it as well, and counts.
 TYPED_TEST(States, AveragesThatAreKeptAreCounted) {
@@ -122,6 +122,39 @@ TYPED_TEST(States, AveragesThatAreKeptAreCounted) {
   EXPECT_EQ(this->counters.averages_kept, 1);
   EXPECT_EQ(this->counters.fragments_too_thin, 0);
   EXPECT_EQ(b.average[2], before);
+}
+
+/// Within a step a fragment whose contents have no average has that of the start: what `average` holds by
+/// then are values of stencils. So has one whose volume was below zero before it was mixed with that of the
+/// start.
+TYPED_TEST(States, WithinAStepTheAverageOfTheStartStands) {
+  constexpr int dim = TestFixture::dim;
+  const auto w = some_primitives<dim>(this->material);
+  auto denser = w;
+  denser[0] *= 1.1;
+  const double full = this->grid.dx_power(dim);
+  struct Row {
+    AveragesOf what;
+    double fill;
+    bool old;
+  };
+  for (const Row& r : {Row{AveragesOf::stage, 0.05, true}, Row{AveragesOf::stage, -0.3, true},
+                       Row{AveragesOf::stage, 0.5, false}, Row{AveragesOf::mean, 0.74, true},
+                       Row{AveragesOf::mean, 0.76, false}}) {
+    auto state = this->uniform(w);
+    auto& b = state.bodies[0].at(0);
+    b.near_surface = true;
+    choose_roles(state, state.bodies[0], 0, this->counters);
+    average_primitives(state, state.bodies[0], 0, this->counters);
+    b.contents_old = b.contents;
+    b.volume_old = b.volume;
+    std::fill(b.average.begin(), b.average.end(), 7.0);  // stencil values
+    set_piece(b, 2, r.fill * full, per_volume<dim>(this->material, denser));
+    average_primitives(state, state.bodies[0], 0, this->counters, r.what);
+    const double rho = r.old ? w[0] : denser[0];
+    EXPECT_NEAR(b.average[2] / rho, 1, 1e-12) << r.fill;
+  }
+  EXPECT_EQ(this->counters.averages_kept, 0);
 }
 
 TYPED_TEST(States, TheFastestSignalIsTheSumOverAxes) {
