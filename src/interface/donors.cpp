@@ -202,14 +202,12 @@ struct RowPlaces {
 
 /// @param start of the row: its cells along all axes but the first, from the surface point. @param lowest its
 /// first cell. @param at the surface point, in cells. @param centroid, fill of its cells and of three more.
-/// @returns whether any of its cells, or of those that fill up the last four, donates.
 template <int Dim>
-RECOIL_MULTIVERSION bool place_row(int count, const Vec<Dim>& start, int lowest, double at,
+RECOIL_MULTIVERSION void place_row(int count, const Vec<Dim>& start, int lowest, double at,
                                    const Reach<Dim>& reach, const std::array<const double*, Dim>& centroid,
                                    const double* fill, RowPlaces<Dim>& row) {
   constexpr double across2_most = reach_across * reach_across;
   const double along2_most = reach.along * reach.along, widened = reach.widened;
-  auto any = Four{} > 0;
   for (int c = 0; c < count; c += 4) {
     const Four columns{0, 1, 2, 3};
     Four across{}, square{}, full;
@@ -230,9 +228,7 @@ RECOIL_MULTIVERSION bool place_row(int count, const Vec<Dim>& start, int lowest,
     std::memcpy(&row.across2[c], &across2, sizeof(Four));
     std::memcpy(&row.along2[c], &along2, sizeof(Four));
     std::memcpy(&row.donates[c], &holds, sizeof(Four));
-    any |= holds;
   }
-  return (any[0] | any[1] | any[2] | any[3]) != 0;
 }
 
 /// The donors around one surface point. Appends to `donors`; where they lie goes to `slope_weight`.
@@ -258,7 +254,7 @@ int collect(const Grid<Dim>& grid, const Window<Dim>& w, const Vec<Dim>& point, 
     for (int d = 1; d < Dim; ++d) start[d] = i[d] - at[d];
     const double* fill = candidates.fills(first);
     const auto centroid = candidates.centroids(first);
-    if (!place_row<Dim>(width, start, i[0], at[0], reach, centroid, fill, row)) return;
+    place_row<Dim>(width, start, i[0], at[0], reach, centroid, fill, row);
     for (int c = 0; c < width; ++c, ++i[0]) {
       if (row.donates[c] == 0) continue;
       Vec<Dim> x;
