@@ -240,12 +240,14 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
   MovesView<Dim> p(state, body, slot, 2, scratch);
-  const auto gives = [&](const Index<Dim>& i) {
-    const int k = p.window.at(i);
-    return (p.kind[k] == CellKind::empty && p.volume[k] != 0) || is_last_at_edge(p, i);
+  int listed = 0;
+  int* senders = list_senders(p, listed, scratch, [](CellKind kind, double volume, double /*full*/) {
+    return (kind != CellKind::full) & (volume != 0);
+  });
+  const auto stays = [&](int k) {
+    return p.kind[k] == CellKind::cut && !is_last_at_edge(p, p.window.box().index(k));
   };
-  int count = 0;
-  const int* senders = list_senders(p, count, scratch, gives);
+  const auto count = static_cast<int>(std::remove_if(senders, senders + listed, stays) - senders);
   if (count == 0) return;
   p.gather_phi();
   p.gather_others();
@@ -277,18 +279,15 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccoun
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
   MovesView<Dim> p(state, body, slot, 3, scratch);
-  const auto excess = [&](const Index<Dim>& i) {
-    const int k = p.window.at(i);
-    const double e = p.volume[k] - p.full(i);
-    return p.kind[k] == CellKind::full && std::abs(e) > rounding * p.full(i) ? e : 0.0;
-  };
   int count = 0;
-  const int* senders = list_senders(p, count, scratch, [&](const Index<Dim>& i) { return excess(i) != 0; });
+  const int* senders = list_senders(p, count, scratch, [](CellKind kind, double volume, double full) {
+    return (kind == CellKind::full) & (std::abs(volume - full) > rounding * full);
+  });
   if (count == 0) return;
   p.gather_phi();
   transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
-    double e = excess(i);
+    double e = p.volume[p.window.at(i)] - p.full(i);
     if (open_edge_along(p, i, 1).axis >= 0) return across_edge(p, i, e, edges);
     t.to = p.neighbour(i, 1);
     if (t.to == i || !p.takes_part(i)) return t;
@@ -315,12 +314,10 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
   MovesView<Dim> p(state, body, slot, 3, scratch);
-  const auto beyond = [&](const Index<Dim>& i) {
-    const int k = p.window.at(i);
-    return p.kind[k] == CellKind::cut && (p.volume[k] < 0 || p.volume[k] > p.full(i));
-  };
   int count = 0;
-  const int* senders = list_senders(p, count, scratch, beyond);
+  const int* senders = list_senders(p, count, scratch, [](CellKind kind, double volume, double full) {
+    return (kind == CellKind::cut) & ((volume < 0) | (volume > full));
+  });
   if (count == 0) return;
   p.gather_others();
   const auto decide = [&](const Index<Dim>& i) { return back_into_bounds(p, i); };

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/marks.hpp"
 #include "cutcell/moves_view.hpp"
 
 /// Transfers of volume and contents between neighbouring cells of a body.
@@ -58,14 +59,25 @@ void add_kept(Contents<Dim>& to, const Transfer<Dim>& t, double sign) {
   for (std::size_t n = 0; n < bounded<Dim>.size(); ++n) to[bounded<Dim>[n]] += sign * t.kept[n];
 }
 
-/// The cells that may send something: own ones and those around them. `may(i)` is cheap.
+/// The cells that may send something: own ones and those around them. `may(kind, volume, full)` says so of a
+/// cell by what it is and holds, and by the volume of the whole cell.
 template <int Dim, class May>
 int* list_senders(const MovesView<Dim>& p, int& count, Scratch& scratch, May&& may) {
   const Box<Dim> box = p.window.inner().grown(1);
   int* cells = scratch.take<int>(box.size());
+  const int width = box.extent(0);
+  std::array<double, Window<Dim>::longest> full;  // by column
+  Index<Dim> column = box.lo;
+  for (int c = 0; c < width; ++c, ++column[0]) full[static_cast<std::size_t>(c)] = p.full(column);
+  std::array<std::uint8_t, Window<Dim>::longest + marks_beyond> sends{};
+  Box<Dim> rows = box;
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
   count = 0;
-  for_each(box, [&](const Index<Dim>& i) {
-    if (may(i)) cells[count++] = p.window.at(i);
+  for_each(rows, [&](const Index<Dim>& i) {
+    const int first = p.window.at(i);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(width); ++c)
+      sends[c] = may(p.kind[first + c], p.volume[first + c], full[c]) ? 1 : 0;
+    for_each_set(sends.data(), width, [&](int c) { cells[count++] = first + c; });
   });
   return cells;
 }

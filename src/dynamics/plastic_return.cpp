@@ -1,14 +1,18 @@
 #include "dynamics/plastic_return.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <variant>
 
+#include "core/multiversion.hpp"
 #include "dynamics/damage/nonlocal_damage.hpp"
 #include "dynamics/failed_matter.hpp"
 #include "dynamics/primitives.hpp"
 #include "kernels/row_kernels.hpp"
+#include "material/highest_temperature.hpp"
 #include "material/radial_return.hpp"
 
 namespace recoil {
@@ -70,20 +74,52 @@ double return_cell(const StrengthModel& at_rest, const Body<Dim>& body, double* 
   return increment;
 }
 
+/// Fragments of a row of cells, the first one's at `contents` (components n apart) and `volume`.
+struct FragmentRow {
+  const double *contents, *volume;
+  std::size_t n;
+};
+
+/// Says of a row of cells which are surely inside the yield surface: return_cell() leaves these as they are.
+/// All but the marks are copies, so that the compiler knows that they stay as they are; the marks are as wide
+/// as the numbers, so that it takes four cells at a time and not 32.
+template <int Dim, class StrengthModel>
+RECOIL_MULTIVERSION [[gnu::flatten]] void find_elastic(StrengthModel strength, HighestTemperature highest,
+                                                       FragmentRow row, int count, std::int64_t* elastic) {
+  using C = Components<Dim>;
+  [[maybe_unused]] const double per_modulus = distortion_energy(1, strength.shear_modulus, 1);
+#pragma GCC ivdep
+  for (int c = 0; c < count; ++c) {
+    const double *q = row.contents + c, per_mass = 1 / q[0], rho = q[0] / row.volume[c];
+    const double trial2 = equivalent_stress_squared<Dim>(q + C::s * row.n, row.n) * (per_mass * per_mass);
+    const double strain = q[C::ep * row.n] * per_mass, ep = strain > 0 ? strain : 0.0;
+    double temperature = 0;
+    if constexpr (temperature_dependent<StrengthModel>()) {
+      double kinetic = 0;
+      for (std::size_t d = 0; d < Dim; ++d) kinetic += q[(C::u + d) * row.n] * q[(C::u + d) * row.n];
+      const double e =
+          (q[C::energy * row.n] - 0.5 * kinetic * per_mass) * per_mass - trial2 * per_modulus / rho;
+      temperature = highest(rho, e, q[C::temperature_rise * row.n] * per_mass);
+    }
+    const double least = least_yield(strength, ep, temperature);
+    elastic[c] = trial2 < least * least ? 1 : 0;
+  }
+}
+
 /// What is counted of a fragment that can fail.
 struct Failing {
   bool fails_now = false;
   int clamped_damage = 0;
 };
 
-/// return_cell() of matter that can fail.
+/// return_cell() of matter that can fail. @param elastic it does not yield.
 template <int Dim, class StrengthModel>
 Failing return_failing(const StrengthModel& strength, const Body<Dim>& body, double* q, std::size_t n,
-                       double v, double dt, double most_damage) {
+                       double v, double dt, double most_damage, bool elastic) {
   FailingCell<Dim> cell(body, q, n, v);
   if (cell.relieve()) return {};
   const bool failed = cell.has_failed();
-  const double growth = return_cell<Dim>(strength, body, q, n, v, dt);
+  const double growth = elastic ? 0 : return_cell<Dim>(strength, body, q, n, v, dt);
   const int clamped = cell.grow(dt, growth, most_damage);
   return {!failed && cell.has_failed(), clamped};
 }
@@ -91,9 +127,9 @@ Failing return_failing(const StrengthModel& strength, const Body<Dim>& body, dou
 /// return_failing() of matter whose damage grows by a mean: leaves the damage and notes what it grows by.
 template <int Dim, class StrengthModel>
 void return_noting(const StrengthModel& strength, const Body<Dim>& body, double* q, std::size_t n, double v,
-                   double dt, double full, double* drive) {
+                   double dt, bool elastic, double full, double* drive) {
   FailingCell<Dim> cell(body, q, n, v);
-  const double growth = cell.relieve() ? 0 : return_cell<Dim>(strength, body, q, n, v, dt);
+  const double growth = cell.relieve() || elastic ? 0 : return_cell<Dim>(strength, body, q, n, v, dt);
   cell.note(full, growth, drive);
 }
 
@@ -123,7 +159,7 @@ void return_fragment(const Body<Dim>& body, Contents<Dim>& contents, double volu
     std::visit(
         [&](const auto& model) {
           if (fails)
-            return_failing<Dim>(model, body, contents.data(), 1, volume, dt, 1);
+            return_failing<Dim>(model, body, contents.data(), 1, volume, dt, 1, false);
           else
             return_cell<Dim>(model, body, contents.data(), 1, volume, dt);
         },
@@ -144,24 +180,34 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
   const auto n = static_cast<std::size_t>(layout.size());
   const bool by_mean = averages_damage(body.material) && !fails_at_once(body.material.damage);
   if (by_mean) clear_damage_drive(b);
+  const HighestTemperature highest(body.temperature.thermal(), body.material.eos);
+  const auto return_one = [&](const auto& strength, const Index<Dim>& i, std::size_t k, bool elastic) {
+    double* const q = b.contents.data() + k;
+    const double v = b.volume[k];
+    if (!fails) {
+      if (!elastic) return_cell<Dim>(strength, body, q, n, v, dt);
+    } else if (by_mean) {
+      return_noting<Dim>(strength, body, q, n, v, dt, elastic, state.grid(slot).full_volume(i),
+                         b.damage_drive.data() + k);
+    } else {
+      const Failing after = return_failing<Dim>(strength, body, q, n, v, dt, most_damage, elastic);
+      ledger.counters.clamped_damage += after.clamped_damage;
+      if (after.fails_now) ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
+    }
+  };
+  Box<Dim> rows = b.matter;
+  const int width = rows.extent(0);
+  rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
+  std::array<std::int64_t, Window<Dim>::longest> elastic{};  // none, where the model does not say
   std::visit(
-      [&](const auto& strength) {
-        for_each(b.matter, [&](const Index<Dim>& i) {
-          const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-          if (b.volume[k] == 0) return;
-          double* const q = b.contents.data() + k;
-          if (!fails) {
-            return_cell<Dim>(strength, body, q, n, b.volume[k], dt);
-            return;
-          }
-          if (by_mean) {
-            return_noting<Dim>(strength, body, q, n, b.volume[k], dt, state.grid(slot).full_volume(i),
-                               b.damage_drive.data() + k);
-            return;
-          }
-          const Failing after = return_failing<Dim>(strength, body, q, n, b.volume[k], dt, most_damage);
-          ledger.counters.clamped_damage += after.clamped_damage;
-          if (after.fails_now) ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
+      [&]<class Model>(const Model& strength) {
+        for_each(rows, [&](Index<Dim> i) {
+          const auto first = static_cast<std::size_t>(layout.at(i - cells.lo));
+          if constexpr (has_least_yield<Model>())
+            find_elastic<Dim>(strength, highest, {b.contents.data() + first, b.volume.data() + first, n},
+                              width, elastic.data());
+          for (std::size_t c = 0; c < static_cast<std::size_t>(width); ++c, ++i[0])
+            if (b.volume[first + c] != 0) return_one(strength, i, first + c, elastic[c] != 0);
         });
       },
       body.material.strength);

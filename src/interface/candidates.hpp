@@ -4,24 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
+#include "core/marks.hpp"
 #include "core/scratch.hpp"
 #include "field/window.hpp"
 #include "state/body.hpp"
 
 namespace recoil {
-
-/// Whether any of a row of bytes, or of those that fill up the last eight, is not 0.
-inline bool any_set(const std::uint8_t* bytes, int count) {
-  std::uint64_t all = 0;
-  for (int c = 0; c < count; c += 8) {
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, bytes + c, sizeof eight);
-    all |= eight;
-  }
-  return all != 0;
-}
 
 /// The cells that the window around a block shows, as donors. A cell is looked up when the first fit reads
 /// its row.
@@ -92,8 +81,8 @@ class Candidates {
   const State<Dim>& state_;
   const Body<Dim>& body_;
   const Window<Dim>& window_;
-  static constexpr std::size_t beyond = 8;  // places behind the last cell, which rows may read
-  std::uint8_t *donates_, *unknown_;        // the latter: not looked up yet
+  static constexpr std::size_t beyond = marks_beyond;  // places behind the last cell, which rows may read
+  std::uint8_t *donates_, *unknown_;                   // the latter: not looked up yet
   double* fill_;
   // Set where a cell has been looked up:
   int* place_;  // -1: not in Donors::cells yet

@@ -8,6 +8,9 @@
 #include <optional>
 #include <variant>
 
+#include "core/constants.hpp"
+#include "core/marks.hpp"
+#include "core/multiversion.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/nearest_wall.hpp"
 #include "interface/walls.hpp"
@@ -30,27 +33,79 @@ constexpr double rounding = 1e-9;      // of the density: a smaller cut is round
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
 
-/// Whether the low face across axis d of cell i of a window is open.
+/// Of every cell around the inner ones of a window whose faces are read there: whether its low face across
+/// axis d is open. Marks of the whole window, by axis.
 template <int Dim>
-bool open_low_face(const Body<Dim>& body, const Window<Dim>& w, const CellKind* kind, const Index<Dim>& i,
-                   int d) {
-  const CellKind k = kind[w.at(i)];
-  if (k != CellKind::cut) return k == CellKind::full;
-  const auto from = w.source(i);
-  const auto& g = body.at(from.slot).geometry;
-  const int side = (from.flips >> d & 1U) != 0 ? 1 : 0;
-  return g.cuts[g.index[from.cell]].open[d][side] > 0;
+std::array<std::uint8_t*, Dim> open_low_faces(const Body<Dim>& body, const Window<Dim>& w,
+                                              const CellKind* kind, Scratch& scratch) {
+  const auto n = static_cast<std::size_t>(w.size());
+  std::array<std::uint8_t*, Dim> open;
+  for (auto& marks : open) marks = scratch.take<std::uint8_t>(n + marks_beyond);
+  auto* cut = scratch.take<std::uint8_t>(n + marks_beyond);
+  for (std::size_t k = 0; k < n; ++k) {
+    open[0][k] = kind[k] == CellKind::full ? 1 : 0;
+    cut[k] = kind[k] == CellKind::cut ? 1 : 0;
+  }
+  std::fill_n(cut + n, marks_beyond, std::uint8_t{0});
+  for (std::size_t d = 1; d < Dim; ++d) std::copy_n(open[0], n, open[d]);
+  Box<Dim> rows = w.inner().grown(layers);
+  const int width = rows.extent(0);
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](const Index<Dim>& row) {
+    const int first = w.at(row);
+    for_each_set(cut + first, width, [&](int c) {
+      Index<Dim> i = row;
+      i[0] += c;
+      const auto from = w.source(i);
+      const Geometry<Dim>& g = body.at(from.slot).geometry;
+      const CutCell<Dim>& cell = g.cuts[g.index[from.cell]];
+      for (int d = 0; d < Dim; ++d) {
+        const int side = (from.flips >> d & 1U) != 0 ? 1 : 0;
+        open[static_cast<std::size_t>(d)][first + c] = cell.open[d][side] > 0 ? 1 : 0;
+      }
+    });
+  });
+  return open;
 }
 
+/// Marks the cells of a row that a face reads and whose own average does not stand in stencils.
+/// @param open see open_low_faces(), of the row's first cell.
 template <int Dim>
-bool read_by_a_face(const Body<Dim>& body, const Window<Dim>& w, const CellKind* kind, const Index<Dim>& i) {
-  for (int d = 0; d < Dim; ++d)
-    for (int o = 1 - layers; o <= layers; ++o) {
-      Index<Dim> face = i;
-      face[d] += o;
-      if (open_low_face(body, w, kind, face, d)) return true;
-    }
-  return false;
+RECOIL_MULTIVERSION void find_ghosts(int count, std::array<const std::uint8_t*, Dim> open,
+                                     std::array<int, Dim> stride, const std::uint8_t* role,
+                                     std::uint8_t* ghost) {
+#pragma GCC ivdep
+  for (int c = 0; c < count; ++c) {
+    unsigned read = 0;
+    for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
+      for_each_constant<2 * layers>([&](auto o)
+                                        RECOIL_INLINE { read |= open[d][c + (o + 1 - layers) * stride[d]]; });
+    });
+    ghost[c] = static_cast<std::uint8_t>((role[c] & regular) != 0 ? 0 : read);
+  }
+}
+
+/// f(i) for the inner cells of a window that find_ghosts() marks.
+template <int Dim, class F>
+void for_each_read_by_a_face(const Body<Dim>& body, const BodyBlock<Dim>& b, const Window<Dim>& w,
+                             const CellKind* kind, Scratch& scratch, F&& f) {
+  const auto open = open_low_faces(body, w, kind, scratch);
+  std::array<int, Dim> stride;
+  for (int d = 0; d < Dim; ++d) stride[static_cast<std::size_t>(d)] = w.stride(d);
+  std::array<std::uint8_t, Window<Dim>::longest + marks_beyond> ghost{};
+  Box<Dim> rows = w.inner();
+  const int width = rows.extent(0);
+  rows.hi[0] = rows.lo[0] + 1;
+  for_each(rows, [&](const Index<Dim>& row) {
+    std::array<const std::uint8_t*, Dim> from;
+    for (std::size_t d = 0; d < Dim; ++d) from[d] = open[d] + w.at(row);
+    find_ghosts<Dim>(width, from, stride, b.role.data() + w.cell(row), ghost.data());
+    for_each_set(ghost.data(), width, [&](int c) {
+      Index<Dim> i = row;
+      i[0] += c;
+      f(i);
+    });
+  });
 }
 
 /// Whether cell i, which is not real, is within three of the face of a real cell, along its axis.
@@ -273,13 +328,10 @@ void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Cells cel
     w.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
              Beyond::extend, role);
   }
-  for_each(w.inner(), [&](const Index<Dim>& i) {
-    const int cell = w.cell(i);
-    if ((b.role[cell] & regular) != 0) return;
-    if (role ? !read_by_a_real_cell(w, role, i) : !read_by_a_face(body, w, kind, i)) return;
+  const auto add = [&](const Index<Dim>& i) {
     const Foot<Dim> foot = foot_point(grid, w.box(), phi, i);
     GhostCell<Dim> ghost;
-    ghost.cell = cell;
+    ghost.cell = w.cell(i);
     ghost.normal = foot.normal;
     ghost.distance = foot.distance;
     const NearWall<Dim> near = nearest_wall(state, body, w, index, foot.point, walls_around);
@@ -288,7 +340,14 @@ void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Cells cel
     ghost.flips = near.flips;
     ghost.from_wall = near.from_wall;
     b.ghosts.push_back(ghost);
-  });
+  };
+  if (role) {
+    for_each(w.inner(), [&](const Index<Dim>& i) {
+      if ((b.role[w.cell(i)] & regular) == 0 && read_by_a_real_cell(w, role, i)) add(i);
+    });
+    return;
+  }
+  for_each_read_by_a_face(body, b, w, kind, scratch, add);
 }
 
 template <int Dim>

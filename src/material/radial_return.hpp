@@ -27,19 +27,33 @@ requires(!Model::rate_dependent) double plastic_increment(const Model& s, double
   return excess / (3 * s.shear_modulus + slope);
 }
 
-/// Whether a stress is inside a yield surface of Johnson and Cook's form for sure, by a bound without a
-/// power: hardening and rate only raise the surface, and T*^m <= T* where m >= 1. False for models that do
-/// not soften in that way.
+/// Whether least_yield() says anything of a model.
 template <class Model>
-bool is_well_inside([[maybe_unused]] const Model& s, [[maybe_unused]] double q_trial,
-                    [[maybe_unused]] double temperature) {
+constexpr bool has_least_yield() {
+  if constexpr (requires(const Model& s) { s.a, s.m, s.melting_temperature; })
+    return true;
+  else
+    return !Model::rate_dependent && !temperature_dependent<Model>() && !pressure_dependent<Model>() &&
+           !damage_dependent<Model>();
+}
+
+/// A stress [Pa] that the yield stress does not fall below, without a power: of Johnson and Cook's form
+/// hardening and rate only raise the surface, and T*^m <= T* where m >= 1. 0: nothing is known.
+/// @param temperature or one above it.
+template <class Model>
+[[gnu::always_inline]] inline double least_yield(const Model& s, [[maybe_unused]] double ep,
+                                                 [[maybe_unused]] double temperature) {
+  constexpr double rounding = 1e-9;
   if constexpr (requires { s.a, s.m, s.melting_temperature; }) {
-    constexpr double rounding = 1e-9;
-    const double t = std::max(
-        (temperature - s.reference_temperature) / (s.melting_temperature - s.reference_temperature), 0.0);
-    return s.m >= 1 && q_trial < s.a * (1 - t - rounding);
+    const double t =
+        (temperature - s.reference_temperature) / (s.melting_temperature - s.reference_temperature);
+    const double left = 1 - (t < 0 ? 0.0 : t) - rounding;  // not a number stays so
+    const double cold = s.m >= 1 ? s.a : 0.0;
+    return left > 0 ? cold * left : 0.0;
+  } else if constexpr (has_least_yield<Model>()) {
+    return s.yield({.ep = ep}) * (1 - rounding);
   } else {
-    return false;
+    return 0;
   }
 }
 
@@ -50,7 +64,7 @@ template <class Model>
 requires(Model::rate_dependent&& requires {
   &Model::expand;
 }) double plastic_increment(const Model& s, double q_trial, const YieldState& before, double dt) {
-  if (is_well_inside(s, q_trial, before.temperature)) return 0;
+  if (q_trial < least_yield(s, before.ep, before.temperature)) return 0;
   const double ep = before.ep, soft = s.softening(before.temperature);
   const double static_yield = soft * s.yield({.ep = ep, .temperature = s.reference_temperature});
   const double excess = q_trial - static_yield;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <variant>
 
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"
@@ -108,6 +109,42 @@ TYPED_TEST(PlasticReturn, WhatIsLeftBelowZeroIsClearedAndCounted) {
   for (std::size_t k = 0; k < b.contents.size(); ++k) {
     const bool cleared = k == strain + 1 || k == heat + 1 || k == heat + 2 || k == strain + 3;
     ASSERT_EQ(b.contents[k], cleared ? 0 : before[k]) << k;
+  }
+}
+
+/// Of a row of cells those that surely do not yield are left out: all come out as each does by itself.
+TYPED_TEST(PlasticReturn, ARowIsWhatItsCellsAre) {
+  constexpr int dim = TestFixture::dim;
+  using C = typename TestFixture::C;
+  for (const Strength& strength : {Strength{PerfectlyPlastic{this->shear, this->yield}},
+                                   Strength{LinearHardening{this->shear, this->yield, 1e9}},
+                                   Strength{Elastic{this->shear}}, samples::copper().strength}) {
+    auto state = this->state_with(strength, this->stressed(1));
+    Body<dim>& body = state.bodies[0];
+    auto& b = body.at(0);
+    const std::size_t n = b.volume.size();
+    Random random(7);
+    for (std::size_t k = 0; k < n; ++k) {
+      const double factor = k % 2 == 0 ? random(0, 0.1) : random(12, 16);
+      for (std::size_t c = C::s; c < C::ep; ++c) b.contents[c * n + k] *= factor;
+      b.contents[C::ep * n + k] = b.contents[k] * random(-0.01, 0.3);
+      b.contents[C::temperature_rise * n + k] = b.contents[k] * random(0, 900);
+    }
+    auto alone = b.contents;
+    int yielding = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      Contents<dim> q;
+      for (std::size_t c = 0; c < q.size(); ++c) q[c] = alone[c * n + k];
+      return_fragment<dim>(body, q, b.volume[k], 1e-9);
+      yielding += q[C::ep] != alone[C::ep * n + k] ? 1 : 0;
+      for (std::size_t c = 0; c < q.size(); ++c) alone[c * n + k] = q[c];
+    }
+    return_to_yield(state, body, 0, 1e-9, state.ledger[0]);
+    EXPECT_EQ(b.contents, alone);
+    if (!std::holds_alternative<Elastic>(strength)) {
+      EXPECT_GT(yielding, 0);
+      EXPECT_LT(yielding, static_cast<int>(n));
+    }
   }
 }
 
