@@ -19,9 +19,7 @@ namespace {
 
 constexpr double member_fill = 0.001;  // least part of a cell that a member fills
 constexpr double merge_fill = 0.02;    // least volume of a neighbourhood
-// A surface that crosses its cell within a step leaves it a negative volume, which takes the share of its
-// neighbourhood in a whole neighbour, half of it, down to nothing: the mean would be a large multiple of what
-// the two differ by. Shares of at least this part of a cell are needed.
+// Cells that a negative fragment shares at least; with half of one whole cell it may be nothing.
 constexpr double least_shares = 0.25;
 constexpr double home_fill = 0.3;  // where lone fragments go
 // Differences of density, in parts of it, between the two cells behind a pair: calm ones, and a strong shock.
@@ -115,7 +113,7 @@ class Redistribution {
   }
 
   /// The inward neighbour along the steepest axis; then the other axes and the diagonals towards the inside,
-  /// then all cells around, then those around them: until half a cell is reached.
+  /// then all cells around, then those around them: until they hold half a cell, and share least_shares.
   void form(Neighbourhood& s) {
     const Index<Dim> i = window_.box().index(s.cell);
     const double target = target_fill * full(i);
@@ -272,8 +270,7 @@ class Redistribution {
     }
   }
 
-  /// Flattens the slope of what cannot fall below zero until neither of the pair does. What the pair holds
-  /// stays.
+  /// Flattens the slope of what cannot fall below zero until neither of the pair does.
   void keep_positive(const Neighbourhood& h, Merged<Dim>& m, int c) const {
     const auto at = static_cast<std::size_t>(c);
     double lowest = 0;

@@ -57,8 +57,7 @@ Entries<Limits> Limits::keys() {
            "part of a body's heat that is missing in cells colder than at the start; by energy, colder than "
            "the isentrope through the start by more than noise"),
       part("overfilled-cells", &L::overfilled_cells,
-           "part of a body's matter that has no room: what is beyond whole cells in those with more than "
-           "volume-fraction"),
+           "part of a body's matter beyond whole cells, in those with more than volume-fraction"),
       part("volume-fraction", &L::volume_fraction, "of all bodies in a cell", "1.1"),
       part("density", &L::density, "whole cells with a density outside of 0.5 to 2.5 of that at rest"),
       part("tension", &L::tension, "whole cells under more tension than the material bears"),

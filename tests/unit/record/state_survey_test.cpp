@@ -98,6 +98,24 @@ TEST(StateSurvey, ColderThanTheIsentropeIsCounted) {
   EXPECT_GT(count(seen(full_of(m, -3e3)), StateCheck::negative_heat), 0);
 }
 
+TEST(StateSurvey, HeatAndMatterWithoutRoomAreMeasured) {
+  const Material m = copper_with(Elastic{43e9}, Thermal::Rule::energy);
+  const double c = m.thermal.specific_heat;
+  const auto amount = [](const BodyEvidence& e, StateCheck check) {
+    return e.states[static_cast<std::size_t>(check)].amount;
+  };
+  const BodyEvidence warm = seen(full_of(m, hot)), cold = seen(full_of(m, -3e3));
+  EXPECT_NEAR(warm.heat / (warm.looked_at * hot / c), 1, 1e-9);
+  EXPECT_EQ(amount(warm, StateCheck::negative_heat), 0);
+  EXPECT_EQ(cold.heat, 0);
+  EXPECT_NEAR(amount(cold, StateCheck::negative_heat) / (cold.looked_at * 3e3 / c), 1, 1e-6);
+  auto state = full_of(m, 0);
+  state.bodies[0].at(0).volume[5] *= 1.3;
+  const BodyEvidence crowded = seen(state);
+  EXPECT_EQ(count(crowded, StateCheck::overfilled), state.step);
+  EXPECT_NEAR(amount(crowded, StateCheck::overfilled), 0.3 * static_cast<double>(state.step), 1e-9);
+}
+
 // One per cent of the way to melting: 1358 K - 300 K.
 TEST(StateSurvey, NoiseOfTheTemperatureIsSmallBesideTheWayToMelting) {
   Material m = copper_with(PerfectlyPlastic{43e9, 0.4e9}, Thermal::Rule::energy);

@@ -118,6 +118,8 @@ TEST(Validity, EveryOtherFindingHasALimitOfItsOwn) {
   for (std::size_t k = 0; k < state_checks; ++k) {
     Evidence one = flyer_and_target();
     one.bodies[1].states[k].count = 900000;
+    one.bodies[1].states[k].amount = 900000;
+    one.bodies[1].heat = 1e6;
     const Verdict v = judged(one);
     if (k == static_cast<std::size_t>(StateCheck::molten)) {
       EXPECT_EQ(v.kind, Verdict::Kind::valid) << "a model that melts is right to";
@@ -134,6 +136,33 @@ TEST(Validity, EveryOtherFindingHasALimitOfItsOwn) {
   e.counters.clear();
   e.bodies[0].thickness = 3.9;
   EXPECT_EQ(judged(e).reasons.at(0).what, "thickness");
+}
+
+/// Of matter without room and of missing heat it counts how much there is, not in how many cells; what is
+/// below the limit is told.
+TEST(Validity, MatterWithoutRoomAndMissingHeatAreMeasured) {
+  Evidence e = flyer_and_target();
+  StateFinding& overfilled = e.bodies[0].states[static_cast<std::size_t>(StateCheck::overfilled)];
+  StateFinding& cold = e.bodies[1].states[static_cast<std::size_t>(StateCheck::negative_heat)];
+  e.bodies[1].heat = 5e7;                             // 50 K in each cell
+  overfilled.count = 10000, overfilled.amount = 900;  // 1 % of the cells, 9e-4 of the matter
+  cold.count = 10000, cold.amount = 4e5;              // 40 K in 1 % of the cells, 0.8 % of the heat
+  Verdict v = judged(e);
+  EXPECT_EQ(v.kind, Verdict::Kind::valid);
+  ASSERT_EQ(v.remarks.size(), 2U);
+  EXPECT_NE(v.remarks[0].find("0.09 % of the matter of flyer had no room in its cells"), std::string::npos)
+      << v.remarks[0];
+  EXPECT_NE(v.remarks[1].find("0.8 % of the heat of target was missing in states colder than at the start"),
+            std::string::npos)
+      << v.remarks[1];
+  EXPECT_NE(v.remarks[1].find("the limit is 1 %"), std::string::npos) << v.remarks[1];
+  overfilled.amount = 1100, cold.amount = 6e5;
+  v = judged(e);
+  EXPECT_EQ(v.kind, Verdict::Kind::doubtful);
+  EXPECT_EQ(v.reasons.size(), 2U);
+  EXPECT_TRUE(v.remarks.empty());
+  overfilled.amount = cold.amount = 5;  // next to nothing is not told
+  EXPECT_TRUE(judged(e).remarks.empty());
 }
 
 TEST(Validity, AnErrorStops) {
