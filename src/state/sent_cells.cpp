@@ -27,7 +27,8 @@ void choose_around_moves(const State<Dim>& state, const BodyBlock<Dim>& b, int s
   const Grid<Dim>& grid = state.grid(slot);
   const Box<Dim> layout = grid.layout(), cells = state.mesh.block(slot).cells;
   const Box<Dim> own{{}, cells.hi - cells.lo};
-  const auto &kind = b.end_geometry.kind.raw(), &volume = b.volume.raw();
+  const auto& kind = b.end_geometry.kind.raw();
+  const auto& volume = b.volume.raw();
   for_each(own, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(layout.at(i));
     Box<Dim> around{i, i};
