@@ -121,6 +121,15 @@ class Resume(unittest.TestCase):
             result = recoil("run", self.case, "-o", run, "--plain", "--force", *words)
         self.expect(result, self.exit)
 
+    def wait_for_step(self, run, step):
+        """Until a checkpoint of that step (of 161) or a later one is there: the run is under way, its end far off."""
+        deadline = time.time() + 100
+        while time.time() < deadline:
+            if any(int(file.stem) >= step for file in (run / "checkpoints").glob("[0-9]*.h5")):
+                return
+            time.sleep(0.005)
+        self.fail(f"no checkpoint of step {step} in {run}")
+
     def wait_for_the_end(self, run):
         for _ in range(100):  # the processes of an mpirun that was killed follow it a little later
             if not run.exists() or "running" not in recoil("status", run).stdout:
@@ -181,7 +190,7 @@ class Resume(unittest.TestCase):
             run = self.folder / request.name
             process = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-            time.sleep(0.5 * self.duration)
+            self.wait_for_step(run, 50)
             process.send_signal(request)
             said = process.communicate()[0]
             self.assertEqual(process.returncode, 75, said)
@@ -192,13 +201,20 @@ class Resume(unittest.TestCase):
 
     def test_asked_to_stop_with_two_processes(self):
         """By a signal to the launcher alone, or as Ctrl-C at a terminal sends it, to its process group; at any moment."""
-        for n, (request, send) in enumerate(
-            [(signal.SIGINT, os.kill), (signal.SIGINT, os.killpg), (signal.SIGTERM, os.kill), (signal.SIGTERM, os.killpg)]
-        ):
+        ways = (
+            (signal.SIGINT, os.kill, None),
+            (signal.SIGINT, os.killpg, 70),
+            (signal.SIGTERM, os.kill, 1),
+            (signal.SIGTERM, os.killpg, 35),
+        )
+        for n, (request, send, step) in enumerate(ways):
             run = self.folder / f"two_{n}"
             process = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-n", "2", "-j", "1"],
                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
-            time.sleep((0.1, 0.8, 0.4, 1.2)[n] * self.duration)
+            if step is None:
+                time.sleep(0.1 * self.duration)  # as its processes start
+            else:
+                self.wait_for_step(run, step)
             send(process.pid, request)
             said = process.communicate()[0]
             self.assertEqual(process.returncode, 75, said)
@@ -237,7 +253,7 @@ class Resume(unittest.TestCase):
         run = self.folder / "nohup"
         with subprocess.Popen(["nohup", PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
-            time.sleep(0.5 * self.duration)
+            self.wait_for_step(run, 50)
             process.send_signal(signal.SIGHUP)
         self.assertEqual(process.returncode, self.exit)
         self.same(run)
@@ -271,7 +287,7 @@ class Resume(unittest.TestCase):
         run = self.folder / "locked"
         first = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(0.4 * self.duration)
+        self.wait_for_step(run, 30)
         self.expect(recoil("run", self.case, "-o", run, "--force"), 2, "another run", "recoil status")
         self.expect(recoil("status", run), 0, "running")
         first.kill()
