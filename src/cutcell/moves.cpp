@@ -31,7 +31,6 @@ constexpr double closed_face = 1e-9;         // a common face open by less is cl
 constexpr double least_mismatch_area = 0.3;  // a smaller surface counts as so large in V - V_phi over A_I
 constexpr double little_room = 0.02;         // a difference in room of less is none
 constexpr double least_taker = 0.1;  // a cell with less of the body does not take what another body displaces
-constexpr double free_distance = 2.5;  // [cells] from other bodies, of a fragment on its own
 constexpr double most_mismatch = 0.5;  // [dx] by which phi is asked to follow V at most
 
 /// |A_I| of a cut cell, at least least_surface.
@@ -265,7 +264,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
     t.everything = true;
     if (t.any && !leaves && may_stay) {
       const auto from = p.window.source_inside(i);
-      if (is_alone(state, body, from.slot, from.cell, free_distance))
+      if (is_alone(state, body, from.slot, from.cell))
         keep_without_room(p, i, has_failed(body.at(from.slot), static_cast<std::size_t>(from.cell)), t);
     }
     return t;

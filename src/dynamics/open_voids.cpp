@@ -16,9 +16,8 @@ namespace recoil {
 
 namespace {
 
-constexpr double whole = 0.98;         // part of a cell from which on it counts as whole
-constexpr double crowded = 1.1;        // cells of matter in one from which on its level set makes room
-constexpr double free_distance = 2.5;  // [cells] from other bodies, of a fragment that makes room
+constexpr double whole = 0.98;   // part of a cell from which on it counts as whole
+constexpr double crowded = 1.1;  // cells of matter in one from which on its level set makes room
 
 /// Radius [cells] of a ball (disc, layer) of so many cells.
 template <int Dim>
@@ -31,6 +30,15 @@ double radius_of(double cells) {
 template <int Dim>
 bool is_whole(const State<Dim>& state, const BodyBlock<Dim>& b, std::size_t k, const Index<Dim>& i) {
   return b.end_geometry.kind[k] == CellKind::full && b.volume[k] >= whole * state.grid().full_volume(i);
+}
+
+/// What the other bodies that can be deformed hold in a cell.
+template <int Dim>
+double volume_of_others(const State<Dim>& state, const Body<Dim>& body, int slot, std::size_t k) {
+  double sum = 0;
+  for (const Body<Dim>& other : state.bodies)
+    if (&other != &body && !other.rigid && other.present(slot)) sum += other.at(slot).volume[k];
+  return sum;
 }
 
 /// Solid part of a whole cell; 1 where the matter has not failed or is under pressure.
@@ -93,7 +101,7 @@ std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slo
     const double fill = b.volume[k] / state.grid().full_volume(i);
     if (fill < 0.5 || !(b.contents[k] > 0)) return;
     const bool makes_room = fill > crowded && b.phi[k] > -radius_of<Dim>(fill) * dx &&
-                            is_alone(state, body, slot, static_cast<int>(k), free_distance);
+                            is_alone(state, body, slot, static_cast<int>(k));
     if (b.phi[k] < 0.5 * dx && !makes_room) return;
     const double solid = fill * solid_part(body, b, k), part = std::min(solid, 1.0);
     const double wanted = makes_room && solid > crowded ? -radius_of<Dim>(solid) * dx : (0.5 - part) * dx;
@@ -109,11 +117,16 @@ void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot) {
   BodyBlock<Dim>& b = body.at(slot);
   if (!b.near_surface) return;
   for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
-    const double full = state.grid().full_volume(i), v = b.volume[k];
+    if (!(b.contents[k] > 0) || !has_failed(b, k)) return;
+    const double others = volume_of_others(state, body, slot, k);
+    const double room = state.grid().full_volume(i) - others, v = b.volume[k];
     const CellKind kind = b.end_geometry.kind[k];
-    const bool lacks = kind == CellKind::full && v < full, exceeds = kind != CellKind::empty && v > full;
-    if (!(lacks || exceeds) || !(b.contents[k] > 0) || !has_failed(b, k)) return;
-    b.volume[k] = lacks ? full : std::max(full, v * solid_part(body, b, k));
+    const bool lacks = kind == CellKind::full && v < room;
+    const bool exceeds = (kind != CellKind::empty || others > 0) && v > room;
+    if (lacks)
+      b.volume[k] = room;
+    else if (exceeds)
+      b.volume[k] = std::max(room, v * solid_part(body, b, k));
   });
 }
 

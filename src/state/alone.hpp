@@ -4,11 +4,16 @@
 
 namespace recoil {
 
-/// Whether the surfaces of all other bodies are farther than `cells` from a cell of a block.
+/// Distance from the surface of another body to the centre of a cell from which on matter in that cell is a
+/// fragment on its own [cells].
+inline constexpr double free_distance = 0.5;
+
+/// Whether the surfaces of all other bodies are farther than that from a cell of a block.
 template <int Dim>
-bool is_alone(const State<Dim>& state, const Body<Dim>& body, int slot, int cell, double cells) {
+bool is_alone(const State<Dim>& state, const Body<Dim>& body, int slot, int cell) {
   for (const Body<Dim>& other : state.bodies)
-    if (&other != &body && other.present(slot) && other.at(slot).phi[cell] < cells * state.grid(slot).dx)
+    if (&other != &body && other.present(slot) &&
+        other.at(slot).phi[cell] < free_distance * state.grid(slot).dx)
       return false;
   return true;
 }
