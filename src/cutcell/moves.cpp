@@ -134,6 +134,15 @@ double least_volume(const MovesView<Dim>& p, const Index<Dim>& i) {
   return p.thin(i) ? 0.0 : -open_bound * p.full(i);
 }
 
+/// Whether volume e < 0 that cell i takes from another one, in its own state, has more mass than that holds:
+/// most of it may be void.
+template <int Dim>
+bool takes_more_mass(const MovesView<Dim>& p, const Index<Dim>& i, const Index<Dim>& from, double e) {
+  const double there = p.contents(from)[0];
+  return there > 0 && p.volume[p.window.at(from)] + e > 0 &&
+         there + e * p.contents(i)[0] / p.volume[p.window.at(i)] < 0;
+}
+
 /// What a cut cell sends away because its volume is out of bounds.
 template <int Dim>
 Transfer<Dim> back_into_bounds(const MovesView<Dim>& p, const Index<Dim>& i) {
@@ -284,6 +293,7 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccoun
   });
   if (count == 0) return;
   p.gather_phi();
+  const bool may_fail = can_fail(body.material.damage);
   transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
     double e = p.volume[p.window.at(i)] - p.full(i);
@@ -298,7 +308,8 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccoun
       from_own = false;
       e = std::max(e, -most_lent * there);
     }
-    if (e < 0 && from_own && there + e < least_volume(p, i)) return t;
+    if (e < 0 && from_own && (there + e < least_volume(p, i) || (may_fail && takes_more_mass(p, i, t.to, e))))
+      return t;
     t.any = true;
     t.volume = e;
     t.state_cell = from_own ? i : t.to;

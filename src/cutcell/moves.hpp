@@ -31,8 +31,9 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
 
 /// Cells that the geometry shows full pass what they hold beyond a whole cell to their neighbour outwards, or
 /// take what they lack from it. A deficit stays where it would take the neighbour below its least volume
-/// (bound_volumes). Where outwards is beyond an open edge of the domain, the body goes on there in the cell's
-/// own state, and what passes is booked in `edges`. Farther than six cells inside nothing moves.
+/// (bound_volumes), or failed matter, most of which is void, below a mass of zero. Where outwards is beyond
+/// an open edge of the domain, the body goes on there in the cell's own state, and what passes is booked in
+/// `edges`. Farther than six cells inside nothing moves.
 template <int Dim>
 void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccount<Dim>& edges,
                  Scratch& scratch);
