@@ -69,8 +69,8 @@ RECOIL_MULTIVERSION [[gnu::flatten]] bool any_inadmissible(const EosModel& eos, 
   return any != 0;
 }
 
-/// Matter that can fail has failed where its equation of state ends in tension: its damage becomes
-/// `most_damage`. @returns whether it is so.
+/// Matter that can fail has failed where its equation of state ends in expansion: torn where the pressure is
+/// below zero, else about to boil. Its damage becomes `most_damage`. @returns whether it is so.
 template <int Dim, class EosModel>
 bool tear(const EosModel& eos, BodyBlock<Dim>& b, std::size_t k, double most_damage) {
   using C = Components<Dim>;
@@ -79,11 +79,7 @@ bool tear(const EosModel& eos, BodyBlock<Dim>& b, std::size_t k, double most_dam
   double& damage = b.contents[C::damage * n + k];
   const auto& matter = frozen(eos, b.contents[C::crushed * n + k] / mass);
   if (!(mass > 0 && rho > 0 && rho < matter.rho0) || damage >= failed_damage * mass) return false;
-  double momentum2 = 0;
-  for (std::size_t d = 0; d < Dim; ++d)
-    momentum2 += b.contents[(C::u + d) * n + k] * b.contents[(C::u + d) * n + k];
-  const double e = (b.contents[C::energy * n + k] - 0.5 * momentum2 / mass) / mass;
-  if (!(matter.pressure(rho, e) < 0)) return false;
+  if (!std::isfinite(b.contents[C::energy * n + k])) return false;
   damage = most_damage * mass;
   return true;
 }

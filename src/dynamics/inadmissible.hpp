@@ -16,7 +16,7 @@ template <int Dim>
 bool inadmissible(const Material& material, const Contents<Dim>& contents, double volume);
 
 /// Marks (Role::has_bad_contents) the fragments of a block above 0.02 of a cell whose state is inadmissible.
-/// Matter that can fail, and whose equation of state ends in tension, has failed instead: its damage is set
+/// Matter that can fail, and is expanded beyond its equation of state, has failed instead: its damage is set
 /// to `most_damage` and counted (torn-states).
 /// @returns how many are marked.
 template <int Dim>
