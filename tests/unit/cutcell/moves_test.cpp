@@ -249,6 +249,29 @@ TYPED_TEST(Moves, AThickBodyKeepsADeficitThatWouldTakeItsNeighbourFarBelowZero) 
   }
 }
 
+/// Most of a cell of failed matter may be void. A whole cell that takes volume from it takes mass at its own
+/// density, and leaves what it lacks where that is more than there is.
+TYPED_TEST(Moves, AFullCellTakesNoMoreMassThanFailedMatterHas) {
+  constexpr int dim = TestFixture::dim;
+  for (const bool mostly_void : {true, false}) {
+    auto state = this->slab(7.4);
+    state.bodies[0].material.damage = TensileDamage{};
+    const auto under = TestFixture::cell(6, 9), outwards = TestFixture::cell(7, 9);
+    auto sparse = this->one;
+    for (double& c : sparse) c *= mostly_void ? 0.4 : 0.6;
+    this->put(state, under, 0.5 * this->whole(), this->one);
+    this->put(state, outwards, 0.9 * this->whole(), sparse);
+    this->run(state,
+              [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, this->edges, scratch); });
+    EXPECT_NEAR(this->volume(state, under) / this->whole(), mostly_void ? 0.5 : 1, 1e-12);
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      if (i == outwards) {
+        EXPECT_GT(b.contents[k], 0);
+      }
+    });
+  }
+}
+
 TYPED_TEST(Moves, VolumesBeyondTheirBoundsMove) {
   auto state = this->slab(7.4);
   const auto drained = TestFixture::cell(7, 9), inwards = TestFixture::cell(6, 9);

@@ -90,6 +90,36 @@ TYPED_TEST(Inadmissible, StatesBeyondTheEquations) {
   EXPECT_FALSE(at(0.9 * rho0, -10e9));
 }
 
+/// Expanded beyond the equation of state, cold or hot: what can fail has failed, what cannot is inadmissible.
+TYPED_TEST(Inadmissible, MatterThatCanFailHasFailedWhereItsEquationsEndInExpansion) {
+  constexpr int dim = TestFixture::dim;
+  const double rho0 = density(this->material), full = this->whole();
+  const auto at = [&](double rho, double p) {
+    Primitives<dim> w{};
+    w[0] = rho;
+    w[Components<dim>::p] = p;
+    return per_volume<dim>(this->material, w);
+  };
+  for (const bool fails : {true, false}) {
+    auto state = this->uniform();
+    auto& body = state.bodies[0];
+    if (fails) body.material.damage = TensileDamage{};
+    auto& b = body.at(0);
+    set_piece(b, 1, full, at(0.45 * rho0, -1e9));
+    set_piece(b, 3, full, at(0.45 * rho0, 2e9));
+    set_piece(b, 5, full, at(2.6 * rho0, 300e9));  // compressed: no failure
+    auto broken = at(0.45 * rho0, 2e9);
+    broken[Components<dim>::energy] = NAN;
+    set_piece(b, 7, full, broken);
+    Counters counters;
+    EXPECT_EQ(mark_inadmissible(state, body, 0, counters), fails ? 2 : 4);
+    EXPECT_EQ(counters.torn_states, fails ? 2 : 0);
+    const double* damage = b.contents.data() + Components<dim>::damage * b.volume.size();
+    for (const std::size_t k : {1U, 3U}) EXPECT_EQ(damage[k], fails ? b.contents[k] : 0) << k;
+    EXPECT_EQ(damage[5], 0);
+  }
+}
+
 TYPED_TEST(Inadmissible, StatesAreMarkedAndCleared) {
   auto state = this->uniform();
   auto& b = state.bodies[0].at(0);

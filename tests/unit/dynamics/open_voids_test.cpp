@@ -1,0 +1,63 @@
+#include "dynamics/open_voids.hpp"
+
+#include <cstddef>
+
+#include "../core/dimensions.hpp"
+#include "../cutcell/bodies.hpp"
+
+namespace recoil {
+namespace {
+
+template <class D>
+struct Voids : testing::Test {
+  static constexpr int dim = D::value;
+  using C = Components<dim>;
+  Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
+
+  double whole() const { return grid.dx_power(dim); }
+  /// A body that fills the domain with matter of 0.8 of its density, cold, and a second one with `other`
+  /// cells of matter in each cell.
+  State<dim> filled(double damage, double other) const {
+    Material breaks = samples::copper();
+    breaks.damage = TensileDamage{};
+    const auto inside = [](const Vec<dim>&) { return -100.0; };
+    auto state = make_test_state<dim>(grid, {inside, inside}, breaks);
+    cut_all(state);
+    Primitives<dim> w{};
+    w[0] = 0.8 * density(breaks);
+    w[C::p] = pressure(breaks.eos, w[0], 0);
+    w[C::damage] = damage;
+    fill_body(state, 0, per_volume<dim>(breaks, w));
+    const auto q = per_volume<dim>(breaks, some_primitives<dim>(breaks));
+    for_each_piece(state, 1,
+                   [&](auto& b, const Index<dim>&, std::size_t k) { set_piece(b, k, other * whole(), q); });
+    return state;
+  }
+  void expect(State<dim>& state, double part) const {
+    for (int s = 0; s < state.mesh.local(); ++s) fit_voids(state, state.bodies[0], s);
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+      ASSERT_NEAR(b.volume[k] / whole(), part, 1e-9) << k;
+    });
+  }
+};
+TYPED_TEST_SUITE(Voids, Dimensions);
+
+/// As far as there is void, and only what has failed has any.
+TYPED_TEST(Voids, GiveWayToOtherBodies) {
+  auto alone = this->filled(1, 0), some = this->filled(1, 0.1), more = this->filled(1, 0.5),
+       whole = this->filled(0.5, 0.1);
+  this->expect(alone, 1);
+  this->expect(some, 0.9);
+  this->expect(more, 0.8);
+  this->expect(whole, 1);
+}
+
+/// They fill up the room that other bodies leave.
+TYPED_TEST(Voids, FillTheRoomThatOtherBodiesLeave) {
+  auto state = this->filled(1, 0.1);
+  for_each_piece(state, 0, [&](auto& b, const auto&, std::size_t k) { b.volume[k] *= 0.85; });
+  this->expect(state, 0.9);
+}
+
+}  // namespace
+}  // namespace recoil
