@@ -31,9 +31,9 @@ std::int64_t open_voids(const State<Dim>& state, Body<Dim>& body, int slot, Scra
 template <int Dim>
 std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slot);
 
-/// Fits the voids of failed matter to the room that other bodies leave in its cells, instead of moving matter:
-/// a cell that the geometry shows full is filled up with void, and what is beyond the room is taken off the
-/// void, as far as there is any. Bodies do so in their order.
+/// Fits the voids of failed matter to the room that other bodies leave in its cells, instead of moving
+/// matter: a cell that the geometry shows full is filled up with void, and what is beyond the room is taken
+/// off the void, as far as there is any. Bodies do so in their order.
 template <int Dim>
 void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot);
 
