@@ -78,6 +78,7 @@ StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& lim
     b.tension = borne_tension(m, limits);
     b.noise = noise_of(m, closing_speed);
     b.softens = !std::isnan(melting_temperature(m.strength, 1));
+    b.no_strength = !has_strength(m.strength);
     b.melting = std::isnan(facts.melting_temperature) ? infinite : facts.melting_temperature;
   }
 }
@@ -169,14 +170,15 @@ void StateSurvey<Dim>::look_at_cell(const Look& look, int m, const Index<Dim>& c
   const Bounds& bounds = bounds_[m];
   const double tension = largest_principal(p);
   found(StateCheck::tension, {tension - bounds.tension, tension, bounds.tension});
-  // A model that softens melts by its own temperature; any other state is held against that of its energy.
+  // A model that softens melts by its own temperature; any other state is held against that of its energy,
+  // and without strength has none to lose.
   const double melting =
       bounds.softens ? melting_temperature(body.material.strength, p.compression) : bounds.melting;
   if (bounds.softens && p.temperature >= melting) {
     found(StateCheck::molten, {p.temperature - melting, p.temperature, melting});
   } else {
     const double hot = by_energy ? p.temperature : law.by_energy(p.density, p.thermal_energy);
-    found(StateCheck::melting, {hot - melting, hot, melting});
+    found(bounds.no_strength ? StateCheck::molten : StateCheck::melting, {hot - melting, hot, melting});
   }
 }
 

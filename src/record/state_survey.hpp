@@ -101,6 +101,7 @@ class StateSurvey {
     double melting = 0;    // K; infinite: not known
     double noise = 0;      // K, that a temperature by energy may be below the isentrope
     bool softens = false;  // the strength model knows the melting temperature
+    bool no_strength = false;
   };
   std::vector<Bounds> bounds_;  // of each body
   double most_fill_;

@@ -77,6 +77,14 @@ TEST(StateSurvey, OtherModelsMeltByTheirFacts) {
   EXPECT_EQ(count(seen(full_of(m, 0.5 * hot)), StateCheck::melting), 0);
 }
 
+TEST(StateSurvey, MatterWithoutStrengthHasNoneToLose) {
+  Material m = copper_with(NoStrength{}, Thermal::Rule::energy);
+  m.facts.melting_temperature = 1358;
+  EXPECT_EQ(count(seen(full_of(m, hot)), StateCheck::melting), 0);
+  EXPECT_GT(count(seen(full_of(m, hot)), StateCheck::molten), 0);
+  EXPECT_EQ(count(seen(full_of(m, 0.5 * hot)), StateCheck::molten), 0);
+}
+
 TEST(StateSurvey, TensionIsHeldAgainstTheMaterialsOwnSpallStrength) {
   Material m = copper_with(Elastic{43e9}, Thermal::Rule::energy);
   const double bulk = 8930.0 * 3940 * 3940;  // Pa; bears 5 %, 6.9 GPa
