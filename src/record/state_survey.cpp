@@ -170,8 +170,8 @@ void StateSurvey<Dim>::look_at_cell(const Look& look, int m, const Index<Dim>& c
   const Bounds& bounds = bounds_[m];
   const double tension = largest_principal(p);
   found(StateCheck::tension, {tension - bounds.tension, tension, bounds.tension});
-  // A model that softens melts by its own temperature; any other state is held against that of its energy,
-  // and without strength has none to lose.
+  // A model that softens melts by its own temperature; any other state is held against that of its energy.
+  // A fluid has no strength to lose.
   const double melting =
       bounds.softens ? melting_temperature(body.material.strength, p.compression) : bounds.melting;
   if (bounds.softens && p.temperature >= melting) {
