@@ -107,7 +107,7 @@ class MovesView {
   /// Whether the blocks beside a cell surely move volume as well, here or on the process that holds them: the
   /// cell is near enough to the surface. What was sent to others would be lost. Needs gather_phi().
   bool takes_part(const Index<Dim>& i) const {
-    return std::abs(phi[window.at(i)]) < (band_cells - drift) * grid.dx;
+    return std::abs(phi[window.at(i)]) < (far_cells - drift) * grid.dx;
   }
 
   /// Whether the body is thinner than about two cells here: least sum over an axis of V/full over five cells.

@@ -17,7 +17,7 @@ template <int Dim>
 BandChoice<Dim> choose_rigid_band(const State<Dim>& state, const Body<Dim>& body, int slot) {
   const Grid<Dim>& grid = state.grid();
   const Box<Dim> cells = state.mesh.block(slot).cells;
-  const double band = band_cells * grid.dx;
+  const double band = far_cells * grid.dx;
   const RigidPose<Dim> pose = pose_after(*body.rigid, 0);
   Vec<Dim> middle;
   double across = 0;
@@ -69,7 +69,7 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
   if (!around) return choice;
   const Window<Dim> w(state.mesh, slot, 2);
   const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
-  const double band = band_cells * grid.dx;
+  const double band = far_cells * grid.dx;
   const Seen seen = look(w.size(), phi, band);
   const bool inside = seen.inside;
   choice.near_surface = seen.near_surface;

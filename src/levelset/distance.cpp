@@ -156,9 +156,7 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
   places.hi[0] = std::min(places.hi[0], places.lo[0] + 1);
   for_each(places, [&](Index<Dim> i) {
     std::uint8_t* row = place + w.at(i);
-    if (!place_in_band<Dim>(p0 + w.at(i), stride, frozen * h, band_cells * h, (band_cells - 0.9) * h, length,
-                            row))
-      return;
+    if (!place_in_band<Dim>(p0 + w.at(i), stride, frozen * h, far, far - 0.9 * h, length, row)) return;
     int first = 0, last = length - 1;
     while (row[first] == kept) ++first;
     while (row[last] == kept) --last;

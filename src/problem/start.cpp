@@ -98,7 +98,7 @@ template <int Dim>
 void place_body(State<Dim>& state, int m, const config::Body& from,
                 const std::function<double(const Vec<Dim>&)>& distance) {
   Body<Dim>& body = state.bodies[m];
-  const double far = far_cells * state.grid().dx, band = band_cells * state.grid().dx;
+  const double far = far_cells * state.grid().dx;
   const Box<Dim> layout = state.grid().layout();
   const StartingState matter =
       body.rigid ? StartingState{}
@@ -110,7 +110,7 @@ void place_body(State<Dim>& state, int m, const config::Body& from,
     bool needed = false;
     for_each(finest ? cells.grown(2) : cells, [&](const Index<Dim>& i) {
       const double s = distance(grid.centre(i));
-      needed = needed || (finest ? (body.rigid ? std::abs(s) : s) < band : !body.rigid && s < 0);
+      needed = needed || (finest ? (body.rigid ? std::abs(s) : s) < far : !body.rigid && s < 0);
     });
     if (!needed) continue;
     enter_block(body, slot, state.grid());
@@ -207,7 +207,7 @@ bool starts_finer(const config::Case& c, const std::vector<std::function<double(
   const Ball<Dim> ball = ball_around(grid, place);
   int widest = 0;
   for (int d = 0; d < Dim; ++d) widest = std::max(widest, grid.block[d]);
-  const double near = ball.radius + std::sqrt(static_cast<double>(Dim)) * (widest + band_cells + 2) * grid.dx;
+  const double near = ball.radius + std::sqrt(static_cast<double>(Dim)) * (widest + far_cells + 2) * grid.dx;
   for (std::size_t m = 0; m < distance.size(); ++m)
     if (!c.bodies[m].rigid && std::abs(distance[m](ball.middle)) < near) return true;
   return false;

@@ -201,10 +201,9 @@ void leave_block(Body<Dim>& body, int slot);
 
 /// BodyBlock::reach holds the cells up to this far outside [cells].
 inline constexpr double reach_cells = 5.5;
-/// Beyond this distance phi is not kept: it is +far or -far there [cells].
-inline constexpr double far_cells = 8;
-/// Redistancing reaches this far [cells].
-inline constexpr double band_cells = 7.5;
+/// Beyond this distance phi is not kept: it is +far or -far there [cells]. A block without nearer cells need
+/// not hold the body, so cells beyond must look the same whether their block holds it or not.
+inline constexpr double far_cells = 7.5;
 
 /// Grows a box to hold one more cell.
 template <int Dim>
