@@ -78,6 +78,7 @@ py::dict follow(const Material& material, const std::string& kind, const std::ve
   add("density", [](const PathPoint& p) { return p.state.density; });
   add("von_mises", [](const PathPoint& p) { return p.state.von_mises; });
   add("temperature", [](const PathPoint& p) { return p.state.temperature; });
+  add("molten", [](const PathPoint& p) { return p.state.molten; });
   add("plastic_strain", [](const PathPoint& p) { return p.state.plastic_strain; });
   add("damage", [](const PathPoint& p) { return p.state.damage; });
   add("void_fraction", [](const PathPoint& p) { return p.state.void_fraction; });
@@ -94,6 +95,7 @@ py::dict shock(const Material& material, double velocity) {
   d["density"] = s.density;
   d["energy"] = s.energy;
   d["temperature"] = s.temperature;
+  d["molten"] = s.molten;
   d["plastic_strain"] = s.plastic_strain;
   d["yield_stress"] = s.yield;
   d["shock_speed"] = s.shock_speed;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -52,6 +53,31 @@ void print_detonation(const Jwl& products) {
              products.detonation_velocity, s.pressure * 1e-9, s.particle);
 }
 
+/// The shock in [0, to] from which on more than `part` is molten; none where less is.
+std::optional<ShockState> melting_shock(const Material& m, double to, double part) {
+  const auto melts = [&](double u) { return shock_at_velocity(m, u).molten > part; };
+  if (!melts(to)) return std::nullopt;
+  double solid = 0, molten = to;
+  while (molten - solid > 1e-4 * to) {
+    const double middle = 0.5 * (solid + molten);
+    (melts(middle) ? molten : solid) = middle;
+  }
+  return shock_at_velocity(m, molten);
+}
+
+/// @param to the largest velocity that is looked at [m/s].
+void print_melting(const Material& m, double to) {
+  if (!temperature_law(m).melts()) return;
+  const auto begins = melting_shock(m, to, 0), ends = melting_shock(m, to, 1 - 1e-9);
+  const auto at = [](const char* what, const ShockState& s) {
+    fmt::print("  {} at {:.4g} m/s: {:.4g} GPa, {:.4g} K\n", what, s.velocity, s.stress * 1e-9,
+               s.temperature);
+  };
+  if (!begins) return fmt::print("  not molten by shocks up to {:.4g} m/s\n", to);
+  at("begins to melt", *begins);
+  if (ends) at("all of it molten", *ends);
+}
+
 /// Stress over velocity of a material that starts at `from` and is pushed along `way`, 1 or -1.
 Series curve(const Material& m, double to, double from, double way) {
   Series series;
@@ -88,13 +114,16 @@ int print_hugoniot(const HugoniotOptions& o) {
   print_header(m);
   if (const auto* products = std::get_if<Jwl>(&m.eos)) print_detonation(*products);
   print_elastic_limit(shock_at_velocity(m, 0.05 * to));
-  fmt::print("\n{:>10} {:>10} {:>10} {:>10} {:>10} {:>9}\n", "velocity", "shock", "stress", "pressure",
-             "density", "temp.");
+  print_melting(m, to);
+  const bool melts = temperature_law(m).melts();
+  fmt::print("\n{:>10} {:>10} {:>10} {:>10} {:>10} {:>9}{}\n", "velocity", "shock", "stress", "pressure",
+             "density", "temp.", melts ? "   molten" : "");
   fmt::print("{:>10} {:>10} {:>10} {:>10} {:>10} {:>9}\n", "m/s", "m/s", "GPa", "GPa", "kg/m3", "K");
   for (int k = 1; k <= rows; ++k) {
     const ShockState s = shock_at_velocity(m, to * k / rows);
-    fmt::print("{:10.5g} {:10.5g} {:10.5g} {:10.5g} {:10.5g} {:9.4g}\n", s.velocity, s.shock_speed,
-               s.stress * 1e-9, s.pressure * 1e-9, s.density, s.temperature);
+    fmt::print("{:10.5g} {:10.5g} {:10.5g} {:10.5g} {:10.5g} {:9.4g}{}\n", s.velocity, s.shock_speed,
+               s.stress * 1e-9, s.pressure * 1e-9, s.density, s.temperature,
+               melts ? fmt::format(" {:8.3g}", s.molten) : "");
   }
   if (o.file.empty()) return 0;
   LineChart chart;

@@ -22,6 +22,16 @@ namespace {
 // What is nearer to its bounds is not counted: plastic strain, heating [K], distension.
 constexpr double least_strain = 1e-4, least_heat = 0.1, least_distension = 1e-6;
 
+/// A strength model with what is molten of a state.
+template <class Model>
+const Model& as_molten(const Model& model, const Melt& /*melt*/) {
+  return model;
+}
+template <class Model>
+PartlyMolten<Model> as_molten(const PartlyMolten<Model>& model, const Melt& melt) {
+  return {model, 1 - melt.molten, melt.at};
+}
+
 /// A strength model with the shear modulus that it has in a state.
 template <class StrengthModel>
 decltype(auto) in_state(const StrengthModel& model, const YieldState& state) {
@@ -50,8 +60,11 @@ double return_cell(const StrengthModel& at_rest, const Body<Dim>& body, double* 
   const double internal = (q[C::energy * n] - 0.5 * kinetic / mass) / mass;
   [[maybe_unused]] const double e = internal - distortion_energy(trial2, at_rest.shear_modulus, rho);
   YieldState before{.ep = ep};
-  if constexpr (temperature_dependent<StrengthModel>())
-    before.temperature = body.temperature(rho, e, q[C::temperature_rise * n] / mass);
+  Melt melt;
+  if constexpr (temperature_dependent<StrengthModel>()) {
+    melt = body.temperature.melt(rho, e, q[C::temperature_rise * n] / mass);
+    before.temperature = melt.temperature;
+  }
   if constexpr (pressure_dependent<StrengthModel>()) {
     double crushed = q[C::crushed * n] / mass;
     if (const auto* porous = std::get_if<Porous>(&body.material.eos))
@@ -60,7 +73,8 @@ double return_cell(const StrengthModel& at_rest, const Body<Dim>& body, double* 
     before.compression = rho / rest_density(body.material.eos, crushed);
   }
   if constexpr (damage_dependent<StrengthModel>()) before.damage = q[C::damage * n] / mass;
-  const auto& strength = in_state(at_rest, before);
+  const auto& solid = as_molten(at_rest, melt);
+  const auto& strength = in_state(solid, before);
   const double trial = std::sqrt(trial2);
   const double increment = plastic_increment(strength, trial, before, dt);
   if (!(increment > 0)) return 0;
@@ -80,12 +94,19 @@ struct FragmentRow {
   std::size_t n;
 };
 
+/// What find_elastic() knows of the temperature without a power: one that it is not above, and the density
+/// [kg/m3] from which on matter melts at no less than PartlyMolten::melts_at.
+struct Bounds {
+  HighestTemperature highest;
+  double least_density = 0;
+};
+
 /// Says of a row of cells which are surely inside the yield surface: return_cell() leaves these as they are.
 /// All but the marks are copies, so that the compiler knows that they stay as they are; the marks are as wide
 /// as the numbers, so that it takes four cells at a time and not 32.
 template <int Dim, class StrengthModel>
-RECOIL_MULTIVERSION [[gnu::flatten]] void find_elastic(StrengthModel strength, HighestTemperature highest,
-                                                       FragmentRow row, int count, std::int64_t* elastic) {
+RECOIL_MULTIVERSION [[gnu::flatten]] void find_elastic(StrengthModel strength, Bounds bounds, FragmentRow row,
+                                                       int count, std::int64_t* elastic) {
   using C = Components<Dim>;
   [[maybe_unused]] const double per_modulus = distortion_energy(1, strength.shear_modulus, 1);
 #pragma GCC ivdep
@@ -99,11 +120,27 @@ RECOIL_MULTIVERSION [[gnu::flatten]] void find_elastic(StrengthModel strength, H
       for (std::size_t d = 0; d < Dim; ++d) kinetic += q[(C::u + d) * row.n] * q[(C::u + d) * row.n];
       const double e =
           (q[C::energy * row.n] - 0.5 * kinetic * per_mass) * per_mass - trial2 * per_modulus / rho;
-      temperature = highest(rho, e, q[C::temperature_rise * row.n] * per_mass);
+      temperature = bounds.highest(rho, e, q[C::temperature_rise * row.n] * per_mass);
+      if constexpr (ModelBelow<StrengthModel>::melts)
+        temperature = rho >= bounds.least_density ? temperature : infinite;
     }
     const double least = least_yield(strength, ep, temperature);
     elastic[c] = trial2 < least * least ? 1 : 0;
   }
+}
+
+/// Calls f(model) with a body's strength model, within PartlyMolten where it melts, at the temperature that
+/// matter does not melt below.
+template <int Dim, class F>
+void with_strength(const Body<Dim>& body, const F& f) {
+  std::visit(
+      [&]<class Model>(const Model& model) {
+        if (body.temperature.melts())
+          f(PartlyMolten<Model>(model, 1, body.temperature.least_melting()));
+        else
+          f(model);
+      },
+      body.material.strength);
 }
 
 /// What is counted of a fragment that can fail.
@@ -156,14 +193,12 @@ void return_fragment(const Body<Dim>& body, Contents<Dim>& contents, double volu
   const Strength& strength = body.material.strength;
   const bool fails = can_fail(body.material.damage);
   if (has_strength(strength) || fails)
-    std::visit(
-        [&](const auto& model) {
-          if (fails)
-            return_failing<Dim>(model, body, contents.data(), 1, volume, dt, 1, false);
-          else
-            return_cell<Dim>(model, body, contents.data(), 1, volume, dt);
-        },
-        strength);
+    with_strength(body, [&](const auto& model) {
+      if (fails)
+        return_failing<Dim>(model, body, contents.data(), 1, volume, dt, 1, false);
+      else
+        return_cell<Dim>(model, body, contents.data(), 1, volume, dt);
+    });
   if (fails_at_once(body.material.damage)) FailingCell<Dim>(body, contents.data(), 1, volume).fail_at_once();
   if (const auto* eos = std::get_if<Porous>(&body.material.eos))
     crush_cell<Dim>(*eos, contents.data(), 1, volume);
@@ -180,7 +215,8 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
   const auto n = static_cast<std::size_t>(layout.size());
   const bool by_mean = averages_damage(body.material) && !fails_at_once(body.material.damage);
   if (by_mean) clear_damage_drive(b);
-  const HighestTemperature highest(body.temperature.thermal(), body.material.eos);
+  const Bounds bounds{{body.temperature.thermal(), body.material.eos},
+                      TemperatureLaw::least_melting_part * solid_density(body.material)};
   const auto return_one = [&](const auto& strength, const Index<Dim>& i, std::size_t k, bool elastic) {
     double* const q = b.contents.data() + k;
     const double v = b.volume[k];
@@ -199,18 +235,16 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
   const int width = rows.extent(0);
   rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
   std::array<std::int64_t, Window<Dim>::longest> elastic{};  // none, where the model does not say
-  std::visit(
-      [&]<class Model>(const Model& strength) {
-        for_each(rows, [&](Index<Dim> i) {
-          const auto first = static_cast<std::size_t>(layout.at(i - cells.lo));
-          if constexpr (has_least_yield<Model>())
-            find_elastic<Dim>(strength, highest, {b.contents.data() + first, b.volume.data() + first, n},
-                              width, elastic.data());
-          for (std::size_t c = 0; c < static_cast<std::size_t>(width); ++c, ++i[0])
-            if (b.volume[first + c] != 0) return_one(strength, i, first + c, elastic[c] != 0);
-        });
-      },
-      body.material.strength);
+  with_strength(body, [&]<class Model>(const Model& strength) {
+    for_each(rows, [&](Index<Dim> i) {
+      const auto first = static_cast<std::size_t>(layout.at(i - cells.lo));
+      if constexpr (has_least_yield<Model>())
+        find_elastic<Dim>(strength, bounds, {b.contents.data() + first, b.volume.data() + first, n}, width,
+                          elastic.data());
+      for (std::size_t c = 0; c < static_cast<std::size_t>(width); ++c, ++i[0])
+        if (b.volume[first + c] != 0) return_one(strength, i, first + c, elastic[c] != 0);
+    });
+  });
 }
 
 template <int Dim>

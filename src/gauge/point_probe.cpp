@@ -21,12 +21,13 @@ constexpr double fit_reach = 2;       // dx, from the point
 constexpr double least_slope = 1e-9;  // ridge of the fit: where a slope cannot be told it is none
 constexpr int halo = 4;               // cells read around the one that holds the point
 
-/// What interpolation reads, in this order: density, velocity, pressure, stresses, strain, temperature.
+/// What interpolation reads, in this order: density, velocity, pressure, stresses, strain, temperature,
+/// molten part.
 template <int Dim>
 struct At {
   static constexpr std::size_t density = 0, velocity = 1, pressure = 1 + Dim, stress = 2 + Dim,
                                strain = stress + PointState<Dim>::stresses, temperature = strain + 1,
-                               all = temperature + 1;
+                               molten = temperature + 1, all = molten + 1;
 };
 template <int Dim>
 using Values = std::array<double, At<Dim>::all>;
@@ -97,6 +98,7 @@ struct Around {
     using A = At<Dim>;
     s.value[A::density] = p.density, s.value[A::pressure] = p.pressure;
     s.value[A::strain] = p.plastic_strain, s.value[A::temperature] = p.temperature;
+    s.value[A::molten] = p.molten;
     for (int d = 0; d < Dim; ++d)
       s.value[A::velocity + static_cast<std::size_t>(d)] =
           (from.flips >> d & 1U) != 0 ? -p.velocity[d] : p.velocity[d];
@@ -157,7 +159,7 @@ struct LinearFit {
     Values<Dim> found;
     for (std::size_t q = 0; q < found.size(); ++q) found[q] = right[0][q] / matrix[0][0];
     using A = At<Dim>;
-    for (const std::size_t q : {A::density, A::strain, A::temperature})
+    for (const std::size_t q : {A::density, A::strain, A::temperature, A::molten})
       found[q] = std::clamp(found[q], low[q], high[q]);
     return found;
   }
@@ -221,6 +223,7 @@ void put(const Values<Dim>& v, const Vec<Dim>& x, std::span<ExactSum> to) {
   to[k++] += von_mises_of<Dim>(v.data() + A::stress);
   to[k++] += v[A::strain];
   to[k++] += v[A::temperature];
+  to[k++] += v[A::molten];
   for (int d = 0; d < Dim; ++d) to[k++] += x[d];
 }
 

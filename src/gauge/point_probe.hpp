@@ -21,18 +21,18 @@ struct BodyPoint {
 };
 
 /// Sums that the state at a place takes: density, velocity, pressure, stresses, von Mises stress, strain,
-/// temperature, and the place itself.
+/// temperature, molten part, and the place itself.
 template <int Dim>
-inline constexpr std::size_t point_sums = 5 + 2 * Dim + PointState<Dim>::stresses;
+inline constexpr std::size_t point_sums = 6 + 2 * Dim + PointState<Dim>::stresses;
 
 /// Adds the state of a body at a point, if this rank has the cell that holds it and the point lies within the
 /// body or at most half a cell outside of its surface. Where the 2^Dim cells around the point are full of the
 /// body's matter the state is linear in each axis between their centres. Else it is the value there of the
 /// linear function that fits those of the 4^Dim cells around that hold at least 0.3 of it best, by least
-/// squares with weights that fall to zero at 2 dx; a fragment counts at its middle, and density, strain and
-/// temperature stay within the range of the cells. Cells beyond a plane of symmetry or the axis are mirrored.
-/// A point that follows the matter is moved first, from its own time to that of the state, by Heun's rule.
-/// After a step, or at the start.
+/// squares with weights that fall to zero at 2 dx; a fragment counts at its middle, and density, strain,
+/// temperature and molten part stay within the range of the cells. Cells beyond a plane of symmetry or the
+/// axis are mirrored. A point that follows the matter is moved first, from its own time to that of the state,
+/// by Heun's rule. After a step, or at the start.
 template <int Dim>
 void probe_point(const State<Dim>& state, const BodyPoint<Dim>& point, int item, ExactSums& sums);
 

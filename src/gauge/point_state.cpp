@@ -46,7 +46,10 @@ PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents
   const double solid =
       p.has_void ? solid_fraction(body.material.eos, p.density, p.thermal_energy, w[C::crushed]) : 1.0;
   p.void_fraction = 1 - solid;
-  p.temperature = body.temperature(p.density / solid, p.thermal_energy, w[C::temperature_rise]);
+  const TemperatureLaw& law = body.temperature;
+  const Melt melt = law.melt(p.density / solid, p.thermal_energy, w[C::temperature_rise]);
+  p.temperature = melt.temperature, p.molten = melt.molten, p.melts_at = melt.at;
+  p.unmelted = law.unmelted(p.density / solid, p.thermal_energy, w[C::temperature_rise]);
   return p;
 }
 

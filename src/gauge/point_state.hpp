@@ -20,12 +20,14 @@ struct PointState {
   std::array<double, stresses> stress{};       // Pa, positive in tension, in the order of RunUnits::stresses
   double von_mises = 0;                        // Pa
   double plastic_strain = 0, temperature = 0;  // 1, K
+  double molten = 0;                           // part that is molten
   double damage = 0;                           // 1: failed
   bool has_void = false;                       // failed matter that bears no tension
   double void_fraction = 0;                    // part of the volume
   double compression = 1;                      // density over that without pressure
   double distension = 1;                       // of porous matter: density of its solid over its own
   double thermal_energy = 0;                   // J/kg, internal without that of elastic distortion
+  double unmelted = 0, melts_at = 0;           // K, temperature without latent heat, melting temperature
 };
 
 /// Of the contents of a volume > 0 with a mass > 0.

@@ -54,7 +54,7 @@ class Shock {
   explicit Shock(const Material& m)
       : eos_(m.eos),
         strength_(without_rate(m.strength)),
-        law_(m.thermal, m.eos),
+        law_(temperature_law(m)),
         rho0_(density(m)),
         shear_modulus_(shear_modulus(m)) {
     rest_ = {rho0_, 0, 0, 0};
@@ -294,38 +294,47 @@ class Shock {
   /// ep + Y/(3 G) = (2/3) ln(rho/rho0) hold all along the loading: it is the radial return of a trial
   /// stress 2 G ln(rho/rho0). Heating by plastic work needs the way: Heun steps in ln rho.
   void load(ShockState& s) const {
-    const double total = std::log(s.density / rho0_);
-    const auto strain = [&](double part, double temperature) {
+    const double total = std::log(s.density / rho0_), lost = crushed(s);
+    const auto strain = [&](double part, const Melt& melt) {
       const double q = 2 * shear_modulus_ * part;
-      return q > 0 ? plastic_increment(strength_, q, state_of(s, 0, temperature), 1) : 0.0;
+      return q > 0 ? plastic_increment(strength_, q, state_of(s, 0, melt.temperature), 1, 1 - melt.molten,
+                                       melt.at)
+                   : 0.0;
     };
     const double q = 1.5 * deviator(s);  // of the round before
-    s.temperature =
-        law_(s.density, s.energy - distortion_energy(q * q, shear_modulus_, s.density), crushed(s));
-    s.plastic_strain = strain(total, s.temperature);
+    const double heat = s.energy - distortion_energy(q * q, shear_modulus_, s.density);
+    Melt melt = law_.melt(s.density, heat, lost);
+    s.plastic_strain = strain(total, melt);
     if (s.plastic_strain > 0 && law_.thermal().rule == Thermal::Rule::plastic_work)
-      heat_along(s, total, strain);
-    s.yield = yield(strength_, state_of(s, s.plastic_strain, s.temperature));
+      melt = heat_along(s, total, strain);
+    s.temperature = melt.temperature;
+    s.molten = melt.molten;
+    s.yield = yield_of(s, s.plastic_strain, melt);
+  }
+  double yield_of(const ShockState& s, double ep, const Melt& melt) const {
+    return yield(strength_, state_of(s, ep, melt.temperature), 1 - melt.molten, melt.at);
   }
 
+  /// @returns what is molten at the end.
   template <class Strain>
-  void heat_along(ShockState& s, double total, const Strain& strain) const {
+  Melt heat_along(ShockState& s, double total, const Strain& strain) const {
     constexpr int steps = 64;
     const double start = std::log(std::max(elastic_density_, rho0_) / rho0_);
-    double t = law_(rho0_, 0, 0), ep = 0, y = yield(strength_, state_of(s, 0, t));
+    double t = law_.unmelted(rho0_, 0, 0), ep = 0, y = yield_of(s, 0, law_.melted(rho0_, t));
     for (int k = 1; k <= steps; ++k) {
       const double part = start + (total - start) * k / steps;
       const double middle = rho0_ * std::exp(part - 0.5 * (total - start) / steps);
       double next_t = t, next_ep = ep, next_y = y;
       for (int i = 0; i < 3; ++i) {
-        next_ep = strain(part, next_t);
-        next_y = yield(strength_, state_of(s, next_ep, next_t));
+        const Melt next = law_.melted(middle, next_t);
+        next_ep = strain(part, next);
+        next_y = yield_of(s, next_ep, next);
         next_t = t + plastic_heating(law_.thermal(), 0.5 * (y + next_y), std::max(next_ep - ep, 0.0), middle);
       }
       t = next_t, ep = next_ep, y = next_y;
     }
-    s.temperature = t;
     s.plastic_strain = ep;
+    return law_.melted(s.density, t);
   }
 
   /// The largest density that a shock can reach: the guard of the equation of state, or where the

@@ -13,6 +13,7 @@ struct ShockState {
   double density = 0;         // kg/m3
   double energy = 0;          // J/kg, internal
   double temperature = 0;     // K
+  double molten = 0;          // 1
   double plastic_strain = 0;  // 1
   double yield = 0;           // Pa, at this state
   double shock_speed = 0;     // m/s, of the last (plastic) front, seen from the matter at rest

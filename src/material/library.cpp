@@ -28,6 +28,9 @@ constexpr const char* solid_doc = "equation of state of the solid of porous matt
 constexpr const char* strength_doc = "which strength model";
 constexpr const char* damage_doc = "which damage model: how matter comes to fail";
 constexpr const char* failed_doc = "what failed matter still bears";
+constexpr const char* melting_doc =
+    "melting temperature and latent heat; without it only strength models that know a melting temperature "
+    "melt";
 
 std::vector<Key> top_keys(bool in_case) {
   std::vector<Key> keys{
@@ -52,6 +55,7 @@ std::vector<Key> top_keys(bool in_case) {
        .type = Key::Type::table,
        .required = true,
        .doc = "heat and temperature: a table with at least the specific-heat"},
+      {.name = "melting", .type = Key::Type::table, .doc = melting_doc},
       {.name = "facts", .type = Key::Type::table, .doc = "for checks of plausibility only"}};
   if (in_case) {
     const char* doc = "a material of the library or of this case that this one changes";
@@ -205,6 +209,44 @@ Model read_common(const Node& table, Diagnostics& out) {
                                out);
 }
 
+/// Reads [melting]; what the strength model knows of melting holds there as well.
+Melting read_melting(const Node& table, const Material& material, Diagnostics& out) {
+  const std::vector<Key> keys = keys_of_model<Melting>(false);
+  const Record record = read_record(table, keys, out);
+  Melting melting;
+  take(melting, record);
+  const double own = melting_temperature(material.strength, 1);
+  const auto* curve = std::get_if<SteinbergGuinan>(&material.strength);
+  const auto refuse = [&](const char* key, const char* why, const char* help) {
+    if (record.has(key)) out.error(record.key_place(key), why, help);
+  };
+  if (!std::isnan(own)) {
+    refuse("temperature", "the strength model has the melting temperature", "leave it out here");
+    melting.temperature = own;
+  } else if (!melting.melts()) {
+    out.error(table.key_place, "[melting] needs a temperature",
+              "temperature = \"933 K\", the melting temperature without pressure");
+  }
+  if (curve) {
+    refuse("slope", "the strength model has the melting curve", "leave it out here");
+    refuse("gamma0", "the strength model has the melting curve", "leave it out here");
+    melting.slope = curve->melting_slope, melting.gamma0 = curve->gamma0;
+  } else if (std::isnan(melting.slope) != std::isnan(melting.gamma0)) {
+    out.error(table.key_place, "slope and gamma0 of a melting curve belong together",
+              "give both, or neither: then the curve follows from the equation of state");
+  }
+  if (tabular(material.eos))
+    refuse("heat", "the table of the equation of state has the latent heat, if there is any",
+           "leave heat out");
+  if (is_fluid(material.eos)) out.error(table.key_place, "a gas does not melt", "leave [melting] out");
+  if (melting.temperature <= material.thermal.initial_temperature)
+    out.error(record.has("temperature") ? record.place("temperature") : table.key_place,
+              "the material is molten at the start: its melting temperature is not above its "
+              "initial-temperature",
+              "a lower thermal.initial-temperature, or no [melting]");
+  return melting;
+}
+
 std::string kind_of(const Node& material, const char* part) {
   const Node* table = material.find(part);
   const Node* kind = table ? table->find("kind") : nullptr;
@@ -226,6 +268,35 @@ void keep_common(Node& base, const Node& over, const char* part) {
              std::any_of(common.begin(), common.end(), [&](const Key& k) { return key == k.name; });
     });
   });
+}
+
+/// Whether the strength model of a kind has a melting temperature.
+bool knows_melting(const std::string& kind) {
+  bool knows = false;
+  for_each_model<Strength>([&](const auto& model) {
+    if (kind == model.kind) knows = requires {
+        model.melting_temperature;
+      };
+  });
+  return knows;
+}
+
+/// Where `over` changes the strength, [melting] of the base loses what the new model has itself; without the
+/// melting temperature of the old one, and none of its own, it goes.
+void keep_melting(Node& base, const Node& over) {
+  const std::string kind = kind_of(over, "strength"), before = kind_of(base, "strength");
+  Node* melting = base.find("melting");
+  if (!melting || kind.empty() || kind == before) return;
+  if (knows_melting(kind)) {
+    const bool curve = kind == SteinbergGuinan::kind;
+    *melting = reduced(std::move(*melting), [&](const std::string& key) {
+      return key != "temperature" && !(curve && (key == "slope" || key == "gamma0"));
+    });
+  } else if (knows_melting(before)) {
+    const Node* own = over.find("melting");
+    if (!own || !own->find("temperature"))
+      base = reduced(std::move(base), [](const std::string& key) { return key != "melting"; });
+  }
 }
 
 struct Search {
@@ -269,6 +340,7 @@ std::optional<Node> with_base(const Node& table, Search& search) {
   keep_common<Eos>(*base, over, "eos");
   keep_common<Strength>(*base, over, "strength");
   keep_common<Damage>(*base, over, "damage");
+  keep_melting(*base, over);
   return merged(*base, over);
 }
 
@@ -361,6 +433,8 @@ std::optional<Material> read_material(const std::string& name, const Node& table
   }
   join_ceramic(record, material, out);
   if (record.good("failed")) material.failed = read_constants<FailedMatter>(*record.node("failed"), out);
+  if (record.good("melting") && out.error_count() == errors)
+    material.melting = read_melting(*record.node("melting"), material, out);
   if (record.good("facts")) material.facts = read_constants<Facts>(*record.node("facts"), out);
   if (is_fluid(material.eos) && has_strength(material.strength))
     out.error(record.node("strength")->key_place, "a gas has no strength",
@@ -387,6 +461,7 @@ std::vector<config::Section> material_sections() {
   add_sections<Damage>(all, "material.*.damage", damage_doc);
   all.push_back({"material.*.failed", failed_doc, keys_of_model<FailedMatter>()});
   all.push_back({"material.*.thermal", "heat and temperature", thermal_keys()});
+  all.push_back({"material.*.melting", melting_doc, keys_of_model<Melting>(false)});
   all.push_back({"material.*.facts", "for checks of plausibility only", keys_of_model<Facts>(false)});
   return all;
 }

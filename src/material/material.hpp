@@ -16,10 +16,9 @@ namespace recoil {
 
 /// What the models do not use, but checks do. NaN where not given.
 struct Facts {
-  double molar_mass = unset;           // kg/mol, mean of the atoms
-  double poisson_ratio = unset;        // as a handbook says it
-  double spall_strength = unset;       // Pa, the tension at which it was measured to break
-  double melting_temperature = unset;  // K, at atmospheric pressure; of a strength model that has none
+  double molar_mass = unset;      // kg/mol, mean of the atoms
+  double poisson_ratio = unset;   // as a handbook says it
+  double spall_strength = unset;  // Pa, the tension at which it was measured to break
 
   static constexpr auto parameters() {
     using P = Parameter<Facts>;
@@ -27,9 +26,7 @@ struct Facts {
         P{"molar-mass", "kg/mol", &Facts::molar_mass, 1e-3, 0.3, "mean molar mass of the atoms"},
         P{"poisson-ratio", "1", &Facts::poisson_ratio, -1, 0.5, "Poisson's ratio"},
         P{"spall-strength", "Pa", &Facts::spall_strength, 1e5, 1e12,
-          "tension at which plate impact breaks it; the verdict goes by it"},
-        P{"melting-temperature", "K", &Facts::melting_temperature, 50, 1e4,
-          "where it melts, for a strength model that does not know it; the verdict goes by it"}};
+          "tension at which plate impact breaks it; the verdict goes by it"}};
   }
 };
 
@@ -60,9 +57,13 @@ struct Material {
   DamageAverage damage_average;
   FailedMatter failed;
   Thermal thermal;
+  Melting melting;
   Facts facts;
   std::string doubt;  // what its constants may be wrong in; empty: no doubt is known
 };
+
+/// Temperature, and how much is molten.
+inline TemperatureLaw temperature_law(const Material& m) { return {m.thermal, m.eos, m.melting}; }
 
 /// Density at rest [kg/m3].
 inline double density(const Material& m) { return density(m.eos); }

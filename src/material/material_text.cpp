@@ -47,6 +47,14 @@ std::string model_lines(const Variant& variant, const std::string& below = {}) {
       variant);
 }
 
+/// What is not of the strength model.
+Melting own_melting(const Material& m) {
+  Melting melting = m.melting;
+  if (!std::isnan(melting_temperature(m.strength, 1))) melting.temperature = unset;
+  if (std::holds_alternative<SteinbergGuinan>(m.strength)) melting.slope = melting.gamma0 = unset;
+  return melting;
+}
+
 }  // namespace
 
 std::string to_toml(const Material& m, const std::string& table) {
@@ -68,6 +76,7 @@ std::string to_toml(const Material& m, const std::string& table) {
   Thermal thermal = m.thermal;
   if (tabular(m.eos)) thermal.specific_heat = unset;
   text += lines_of(thermal);
+  if (m.melting.melts()) text += "\n[" + prefix + "melting]\n" + lines_of(own_melting(m));
   const std::string facts = lines_of(m.facts);
   if (!facts.empty()) text += "\n[" + prefix + "facts]\n" + facts;
   return text;

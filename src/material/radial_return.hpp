@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "material/strength/partly_molten.hpp"
 #include "material/strength/strength.hpp"
 
 namespace recoil {
@@ -22,15 +23,15 @@ requires(!Model::rate_dependent) double plastic_increment(const Model& s, double
   before.rate = 0;
   const double excess = q_trial - s.yield(before);
   if (!(excess > 0) || !(s.shear_modulus > 0)) return 0;
-  double slope = 0;
-  if constexpr (requires { s.hardening; }) slope = s.hardening;
-  return excess / (3 * s.shear_modulus + slope);
+  return excess / (3 * s.shear_modulus + constant_hardening(s));
 }
 
 /// Whether least_yield() says anything of a model.
 template <class Model>
 constexpr bool has_least_yield() {
-  if constexpr (requires(const Model& s) { s.a, s.m, s.melting_temperature; })
+  if constexpr (ModelBelow<Model>::melts)
+    return has_least_yield<typename ModelBelow<Model>::type>();
+  else if constexpr (requires(const Model& s) { s.a, s.m, s.melting_temperature; })
     return true;
   else
     return !Model::rate_dependent && !temperature_dependent<Model>() && !pressure_dependent<Model>() &&
@@ -39,12 +40,16 @@ constexpr bool has_least_yield() {
 
 /// A stress [Pa] that the yield stress does not fall below, without a power: of Johnson and Cook's form
 /// hardening and rate only raise the surface, and T*^m <= T* where m >= 1. 0: nothing is known.
-/// @param temperature or one above it.
+/// @param temperature or one above it. Matter that melts has it below its melting temperature, or one below
+/// that.
 template <class Model>
 [[gnu::always_inline]] inline double least_yield(const Model& s, [[maybe_unused]] double ep,
                                                  [[maybe_unused]] double temperature) {
   constexpr double rounding = 1e-9;
-  if constexpr (requires { s.a, s.m, s.melting_temperature; }) {
+  using Below = typename ModelBelow<Model>::type;
+  if constexpr (ModelBelow<Model>::melts)
+    return s.solid > 0 && temperature < s.melts_at ? s.solid * least_yield<Below>(s, ep, temperature) : 0.0;
+  else if constexpr (requires { s.a, s.m, s.melting_temperature; }) {
     const double t =
         (temperature - s.reference_temperature) / (s.melting_temperature - s.reference_temperature);
     const double left = 1 - (t < 0 ? 0.0 : t) - rounding;  // not a number stays so
@@ -121,11 +126,15 @@ requires(Model::rate_dependent && !requires {
   return most * std::exp(y);
 }
 
-/// The same of whichever model the material has.
-inline double plastic_increment(const Strength& strength, double q_trial, const YieldState& before,
-                                double dt) {
-  return std::visit([&](const auto& model) { return plastic_increment(model, q_trial, before, dt); },
-                    strength);
+/// The same of whichever model the material has. @param solid part of it, the rest is molten.
+/// @param melts_at melting temperature [K] of the state.
+inline double plastic_increment(const Strength& strength, double q_trial, const YieldState& before, double dt,
+                                double solid = 1, double melts_at = infinite) {
+  return std::visit(
+      [&]<class Model>(const Model& model) {
+        return plastic_increment(PartlyMolten<Model>(model, solid, melts_at), q_trial, before, dt);
+      },
+      strength);
 }
 
 }  // namespace recoil

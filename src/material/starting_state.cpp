@@ -13,11 +13,9 @@ namespace recoil {
 namespace {
 
 /// e [J/kg] of matter of one density and temperature.
-double energy_of(const Material& m, const TemperatureLaw& law, double rho, double t) {
+double energy_of(const TemperatureLaw& law, double rho, double t) {
   if (law.thermal().rule == Thermal::Rule::plastic_work) return law.isentrope(rho);
-  const double solid = law.solid_density(rho, 0);
-  if (const auto* table = tabular(m.eos)) return table->table->energy_at(solid, t);
-  return law.isentrope(solid) + law.thermal().specific_heat * (t - law.on_isentrope(solid));
+  return law.energy_at(law.solid_density(rho, 0), t);
 }
 
 }  // namespace
@@ -26,7 +24,7 @@ StartingState state_at_start(const Material& m, std::optional<double> pressure,
                              std::optional<double> temperature, const std::string& body) {
   const double rho0 = density(m), p = pressure.value_or(0);
   if (!pressure && !temperature) return {rho0, 0, 0};
-  const TemperatureLaw law(m.thermal, m.eos);
+  const TemperatureLaw law = temperature_law(m);
   const double start = m.thermal.initial_temperature, t = temperature.value_or(start);
   const auto fail = [&](const std::string& why) {
     throw InputError(
@@ -37,7 +35,7 @@ StartingState state_at_start(const Material& m, std::optional<double> pressure,
     fail(fmt::format("where only plastic work heats, the least temperature is the initial {:.6g} K", start));
   if (const auto* porous = std::get_if<Porous>(&m.eos); porous && p > porous->elastic_limit)
     fail(fmt::format("its pores are crushed above {:.6g} GPa", porous->elastic_limit * 1e-9));
-  const auto excess = [&](double rho) { return recoil::pressure(m.eos, rho, energy_of(m, law, rho, t)) - p; };
+  const auto excess = [&](double rho) { return recoil::pressure(m.eos, rho, energy_of(law, rho, t)) - p; };
   // From rest to the nearest density that has this pressure.
   const DensityRange range = density_range(m.eos);
   const double least = range.least * rho0,
@@ -54,7 +52,7 @@ StartingState state_at_start(const Material& m, std::optional<double> pressure,
     if (middle == near || middle == far) break;
     ((excess(middle) < 0) == denser ? near : far) = middle;
   }
-  const double e = barotropic(m.eos) ? energy_of(m, law, far, t) : energy(m.eos, far, p);
+  const double e = barotropic(m.eos) ? energy_of(law, far, t) : energy(m.eos, far, p);
   if (!(sound_speed_squared(m.eos, far, p) > 0)) fail("matter is unstable there");
   return {far, e, by_work ? t - start : 0.0};
 }

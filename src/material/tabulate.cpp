@@ -8,8 +8,8 @@
 namespace recoil {
 
 RawEosTable tabulate(const Material& m, const TableExtent& extent) {
-  const TemperatureLaw law(m.thermal, m.eos);
-  const double rho0 = density(m), c = m.thermal.specific_heat;
+  const TemperatureLaw law = temperature_law(m);
+  const double rho0 = density(m);
   RawEosTable table;
   const double most = std::min(extent.most, 0.999 * largest_density(m.eos) / rho0);
   const int below =
@@ -24,7 +24,7 @@ RawEosTable tabulate(const Material& m, const TableExtent& extent) {
                                 std::pow(ratio, static_cast<double>(j) / (extent.temperatures - 1)));
   for (const double rho : table.density)
     for (const double t : table.temperature) {
-      const double e = law.isentrope(rho) + c * (t - law.on_isentrope(rho));
+      const double e = law.energy_at(rho, t);
       table.energy.push_back(e);
       table.pressure.push_back(pressure(m.eos, rho, e));
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "material/eos/eos.hpp"
+#include "material/melting.hpp"
 #include "material/parameter.hpp"
 
 namespace recoil {
@@ -54,18 +55,63 @@ inline double distortion_energy(double equivalent_stress_squared, double shear_m
 /// A tabular equation of state has the temperature itself: T(rho, e) of its table, on the isentrope as well.
 /// Exact for a constant c_v where Gamma depends on density alone: for all but Tillotson's, whose Gamma falls
 /// with energy.
+/// Matter that melts takes up its latent heat at T_m(rho): the molten part grows from 0 to 1 meanwhile, and
+/// beyond it the temperature is lower by the latent heat over c_v. Pressure knows nothing of it.
 class TemperatureLaw {
  public:
   TemperatureLaw() = default;
-  TemperatureLaw(const Thermal& thermal, const Eos& eos) : thermal_(thermal) {
-    if (density(eos) > 0) std::visit([this](const auto& m) { tabulate(m); }, eos);  // not of a rigid body
+  TemperatureLaw(const Thermal& thermal, const Eos& eos, const Melting& melting = {})
+      : thermal_(thermal), melting_(melting) {
+    if (!(density(eos) > 0)) return;  // of a rigid body
+    std::visit([this](const auto& m) { tabulate(m); }, eos);
+    std::visit([this](const auto& m) { find_melting_at_rest(m); }, eos);
   }
 
   /// Temperature [K] at density rho [kg/m3], energy e and temperature rise by plastic work `heat` [K]; of
   /// porous matter with what it has lost of its distension in place of `heat`. All else is of the solid.
   double operator()(double rho, double e, double heat) const {
+    return melts() ? melt(rho, e, heat).temperature : unmelted(rho, e, heat);
+  }
+
+  /// The same without latent heat.
+  double unmelted(double rho, double e, double heat) const {
     return thermal_.rule == Thermal::Rule::plastic_work ? thermal_.initial_temperature + heat
                                                         : by_energy(solid_density(rho, heat), e);
+  }
+
+  /// Molten part and temperature.
+  Melt melt(double rho, double e, double heat) const {
+    return melted(solid_density(rho, heat), unmelted(rho, e, heat));
+  }
+  /// Of solid density rho and a temperature without latent heat [K].
+  Melt melted(double rho, double unmelted) const {
+    return melts() ? recoil::melt(unmelted, melting_at(rho), melting_.heat / thermal_.specific_heat)
+                   : Melt{0, unmelted};
+  }
+  bool melts() const { return melting_at_rest_ < infinite; }
+
+  /// Melting temperature [K] at a solid density [kg/m3]; infinite: it does not melt. By Lindemann's law with
+  /// the Grueneisen coefficient of the isentrope, d ln T_s/d ln rho = Gamma, it is T_m0 (T_s/T0)^2 x^(-2/3);
+  /// constant where that coefficient is zero.
+  double melting_at(double rho) const {
+    if (!melts()) return infinite;
+    const double x = rho / rho0_;
+    if (melting_.has_own_curve()) return melting_at_rest_ * melting_.growth(x);
+    if (!follows_isentrope()) return melting_at_rest_;
+    const double growth = on_isentrope(rho) / on_isentrope(rho0_), root = std::cbrt(x);
+    return melting_at_rest_ * growth * growth / (root * root);
+  }
+
+  /// A temperature [K] that matter of at least `least_melting_part` of its density at rest does not melt
+  /// below.
+  double least_melting() const { return least_melting_; }
+  static constexpr double least_melting_part = 0.9;
+
+  /// Energy e [J/kg] of a temperature [K] at a solid density; at the melting temperature that of the solid.
+  double energy_at(double rho, double temperature) const {
+    if (own_) return own_->energy_at(rho, temperature);
+    const double latent = temperature > melting_at(rho) ? melting_.heat : 0.0;
+    return isentrope(rho) + thermal_.specific_heat * (temperature - on_isentrope(rho)) + latent;
   }
 
   /// Density of the solid [kg/m3] of porous matter that has lost `crushed` of its distension; of other matter
@@ -75,7 +121,7 @@ class TemperatureLaw {
   }
   bool has_pores() const { return distension_ > 0; }
 
-  /// That of the energy rule, whichever rule the material has.
+  /// That of the energy rule, whichever rule the material has, without latent heat.
   double by_energy(double rho, double e) const {
     if (own_) return own_->temperature(rho, e);
     return on_isentrope(rho) + (e - isentrope(rho)) / thermal_.specific_heat;
@@ -99,6 +145,45 @@ class TemperatureLaw {
   const Thermal& thermal() const { return thermal_; }
 
  private:
+  /// Whether the temperature of the isentrope depends on density.
+  bool follows_isentrope() const { return own_ || gas_power_ > 0 || !growth_.empty() || gamma0_ > 0; }
+
+  /// From the melting temperature without pressure, where heat has expanded matter, to that at rest density.
+  template <class Model>
+  void find_melting_at_rest(const Model& eos) {
+    if (!melting_.melts()) return;
+    melting_at_rest_ = melting_.temperature;
+    const double heat = melting_.heat;
+    melting_.heat = 0;  // of the solid
+    const auto pushes = [&](double rho) {
+      return eos.pressure(rho, energy_at(rho, melting_.temperature)) > 0;
+    };
+    double free = rho0_, denser = rho0_;
+    const double least = std::max(0.5, density_range(eos).least) * rho0_;
+    while (pushes(free) && free > least) denser = free, free *= 1 - 1e-3;
+    for (int k = 0; k < 60 && free < denser; ++k) {
+      const double middle = 0.5 * (free + denser);
+      (pushes(middle) ? denser : free) = middle;
+    }
+    melting_.heat = heat;
+    melting_at_rest_ *= melting_.temperature / melting_at(free);
+    find_least_melting(std::log(std::min(eos.largest_density() / rho0_, 10.0)));
+  }
+  void find_melting_at_rest(const Porous& eos) {
+    std::visit([this](const auto& m) { find_melting_at_rest(m); }, eos.solid);
+  }
+
+  /// @param last logarithm of the largest compression.
+  void find_least_melting(double last) {
+    constexpr int samples = 64;
+    constexpr double between = 0.99;  // of the least sample, for what lies between
+    const double first = std::log(least_melting_part);
+    for (int k = 0; k <= samples; ++k) {
+      const double rho = rho0_ * std::exp(first + (last - first) * k / samples);
+      least_melting_ = std::min(least_melting_, between * melting_at(rho));
+    }
+  }
+
   double interpolated(const std::vector<double>& values, double rho) const {
     const double x = (rho - lowest_) / spacing_;
     const double last = static_cast<double>(values.size()) - 2;
@@ -182,6 +267,9 @@ class TemperatureLaw {
   }
 
   Thermal thermal_;
+  Melting melting_;
+  double melting_at_rest_ = infinite;      // K, at rest density
+  double least_melting_ = infinite;        // K
   double rho0_ = 1, gamma0_ = 0;           // kg/m3, 1
   double gas_power_ = 0, gas_energy_ = 0;  // of an ideal gas: gamma - 1, P_inf/rho0 [J/kg]
   double distension_ = 0;                  // of porous matter at rest; 0: of other

@@ -347,7 +347,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
       body.rigid = rigid_motion(grid, c.bodies[m], distance[m]);
     } else {
       body.material = materials[m];
-      body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
+      body.temperature = temperature_law(body.material);
       body.detonation = detonation_front<Dim>(c.bodies[m], body.material);
     }
     state.bodies.push_back(std::move(body));

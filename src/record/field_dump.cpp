@@ -72,6 +72,7 @@ void write_state(const FieldVariable& v, const PointState<Dim>& p, float* to) {
   if (name == "density") put(p.density);
   if (name == "plastic-strain") put(p.plastic_strain);
   if (name == "temperature") put(p.temperature);
+  if (name == "molten") put(p.molten);
   if (name == "damage") put(p.damage);
   if (name == "void-fraction")
     put(p.distension > 1 ? 1 - (1 - p.void_fraction) / p.distension : p.void_fraction);
@@ -259,6 +260,7 @@ const std::vector<FieldVariable>& field_variables() {
       {"density", "density_kg_per_m3", "density [kg/m\u00b3]", 1, false},
       {"plastic-strain", "plastic_strain", "plastic strain", 1, false},
       {"temperature", "temperature_K", "temperature [K]", 1, false},
+      {"molten", "molten", "molten part", 1, false},
       {"damage", "damage", "damage: 1 failed", 1, false},
       {"void-fraction", "void_fraction", "void fraction", 1, false},
       {"stress", "stress_GPa", "stress [GPa]", 6, true},

@@ -33,10 +33,10 @@ double bulk_modulus(const Material& m) {
   return density(m) * c * c;
 }
 
-/// Melting temperature at rest density [K], of the strength model or of the facts; NaN where neither has one.
+/// Melting temperature at rest density [K]; NaN where neither the material nor its strength model has one.
 double melting_at_rest(const Material& m) {
-  const double own = melting_temperature(m.strength, 1);
-  return std::isnan(own) ? m.facts.melting_temperature : own;
+  const TemperatureLaw law = temperature_law(m);
+  return law.melts() ? law.melting_at(solid_density(m)) : melting_temperature(m.strength, 1);
 }
 
 /// How far below the isentrope a temperature may lie [K]: as far as an error of the pressure takes it, of a
@@ -74,12 +74,10 @@ StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& lim
     const Material& m = body.material;
     Bounds& b = bounds_.emplace_back();
     if (body.rigid) continue;
-    const Facts& facts = m.facts;
     b.tension = borne_tension(m, limits);
     b.noise = noise_of(m, closing_speed);
     b.softens = !std::isnan(melting_temperature(m.strength, 1));
     b.no_strength = !has_strength(m.strength);
-    b.melting = std::isnan(facts.melting_temperature) ? infinite : facts.melting_temperature;
   }
 }
 
@@ -156,7 +154,7 @@ void StateSurvey<Dim>::look_at_cell(const Look& look, int m, const Index<Dim>& c
   const double coldest = by_energy ? law.on_isentrope(solid) : law.thermal().initial_temperature;
   const double rho0 = density(body.material);
   if (!body.detonation) {  // temperatures of products are not known
-    const double heating = p.temperature - coldest, cells = b.contents[k] / (rho0 * full);
+    const double heating = p.unmelted - coldest, cells = b.contents[k] / (rho0 * full);
     if (heating > 0) line.heat += look.steps * cells * heating;
     found(StateCheck::negative_heat,
           {-(by_energy ? bounds_[m].noise : no_heat) - heating, heating, 0, -heating * cells});
@@ -170,16 +168,16 @@ void StateSurvey<Dim>::look_at_cell(const Look& look, int m, const Index<Dim>& c
   const Bounds& bounds = bounds_[m];
   const double tension = largest_principal(p);
   found(StateCheck::tension, {tension - bounds.tension, tension, bounds.tension});
-  // A model that softens melts by its own temperature; any other state is held against that of its energy.
-  // A fluid has no strength to lose.
+  // Matter that melts does so by the temperature that it has; where plastic work alone heats, its state is
+  // held against that of its energy as well. A fluid has no strength to lose.
+  if (!law.melts() && !bounds.softens) return;
   const double melting =
-      bounds.softens ? melting_temperature(body.material.strength, p.compression) : bounds.melting;
-  if (bounds.softens && p.temperature >= melting) {
-    found(StateCheck::molten, {p.temperature - melting, p.temperature, melting});
-  } else {
-    const double hot = by_energy ? p.temperature : law.by_energy(p.density, p.thermal_energy);
+      law.melts() ? p.melts_at : melting_temperature(body.material.strength, p.compression);
+  const double hot = by_energy ? p.unmelted : law.by_energy(p.density, p.thermal_energy);
+  if (p.unmelted >= melting)
+    found(StateCheck::molten, {p.unmelted - melting, p.temperature, melting});
+  else
     found(bounds.no_strength ? StateCheck::molten : StateCheck::melting, {hot - melting, hot, melting});
-  }
 }
 
 template <int Dim>

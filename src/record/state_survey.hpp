@@ -98,7 +98,6 @@ class StateSurvey {
   /// What a body's states are held against.
   struct Bounds {
     double tension = 0;        // Pa
-    double melting = 0;        // K; infinite: not known
     double noise = 0;          // K, that a temperature by energy may be below the isentrope
     bool softens = false;      // the strength model knows the melting temperature
     bool no_strength = false;  // it is a fluid: nothing to lose by melting

@@ -55,7 +55,7 @@ struct StateText {
 constexpr std::array<StateText, state_checks> state_texts{
     {{"density", "had a density outside of 0.5 to 2.5 of that at rest", "kg/m3", 1, &L::density},
      {"tension", "were under more tension than the material bears", "GPa", 1e-9, &L::tension},
-     {"melting", "were hotter by their energy than the melting temperature, which the model does not know",
+     {"melting", "were hotter by their energy than the melting temperature, which the strength does not feel",
       "K", 1, &L::melting},
      {"negative-plastic-strain", "had a plastic strain below zero", "", 1, &L::negative_plastic_strain},
      {"negative-heating", "was missing in states colder than at the start", "K", 1, &L::negative_heating,
@@ -69,15 +69,16 @@ struct Cure {
 };
 constexpr const char* unstable_cure =
     "a shorter time.fixed-dt; without it the step follows the state (time.cfl)";
-constexpr std::array cures{Cure{"tension",
-                                "matter breaks if its material has damage (`recoil explain "
-                                "'material.*.damage'`; `recoil new spall` writes an "
-                                "example); without it the states after the tension are those of no material"},
-                           Cure{"melting",
-                                "a strength model that melts: Johnson-Cook with temperature = \"energy\" in "
-                                "[material.*.thermal], or Steinberg-Guinan"},
-                           Cure{"thickness", "a finer mesh.finest"}, Cure{"unstable-steps", unstable_cure},
-                           Cure{"unstable-steps-stop", unstable_cure}};
+constexpr std::array cures{
+    Cure{"tension",
+         "matter breaks if its material has damage (`recoil explain "
+         "'material.*.damage'`; `recoil new spall` writes an "
+         "example); without it the states after the tension are those of no material"},
+    Cure{"melting",
+         "temperature = \"energy\" in [material.*.thermal], so that shocks heat and matter "
+         "melts"},
+    Cure{"thickness", "a finer mesh.finest"}, Cure{"unstable-steps", unstable_cure},
+    Cure{"unstable-steps-stop", unstable_cure}};
 
 constexpr double told_part = 1e-5;  // of matter or heat: less is not told
 

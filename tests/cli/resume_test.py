@@ -132,7 +132,8 @@ class Resume(unittest.TestCase):
 
     def wait_for_the_end(self, run):
         for _ in range(100):  # the processes of an mpirun that was killed follow it a little later
-            if not run.exists() or "running" not in recoil("status", run).stdout:
+            said = recoil("status", run).stdout if run.exists() else ""
+            if "running" not in said and "starting" not in said:
                 break
             time.sleep(0.2)
 

@@ -103,7 +103,7 @@ MaterialPoint::MaterialPoint(const Material& material, std::optional<double> pre
   Body<3> body;
   body.name = material.name;
   body.material = material;
-  body.temperature = TemperatureLaw(material.thermal, material.eos);
+  body.temperature = temperature_law(material);
   const StartingState start = state_at_start(material, pressure, temperature, material.name);
   body_ = std::make_shared<const Body<3>>(std::move(body));
   contents_[C::rho] = start.density;

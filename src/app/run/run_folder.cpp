@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstddef>
 #include <cstring>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "app/data_folder.hpp"
@@ -89,6 +91,15 @@ void copy_files(const fs::path& folder, const LoadedCase& loaded) {
   }
 }
 
+/// Locks a file for this process alone. Waits two seconds for another one: a run that was stopped may still
+/// be closing its files, and is_held() holds the lock for an instant. @returns whether it has it.
+bool lock_soon(int file) {
+  constexpr std::chrono::milliseconds pause{20};
+  for (int i = 0; i < 100; ++i, std::this_thread::sleep_for(pause))
+    if (flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+  return false;
+}
+
 }  // namespace
 
 void refuse_foreign(const fs::path& folder) {
@@ -113,7 +124,7 @@ RunLock::RunLock(const fs::path& folder) {
   file_ = open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file_ < 0)
     throw EnvironmentError(fmt::format("{} cannot be written: {}", name.string(), std::strerror(errno)));
-  if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+  if (!lock_soon(file_)) {
     close(file_);
     throw InputError(
         fmt::format("another run is writing to the folder {}\n   = help: wait for it, stop it, or "
@@ -126,7 +137,7 @@ bool RunLock::is_held(const fs::path& folder) {
   // For reading, so that those may ask who may not write there.
   const int file = open((folder / lock_name).c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
-  const bool held = flock(file, LOCK_EX | LOCK_NB) != 0;
+  const bool held = flock(file, LOCK_SH | LOCK_NB) != 0;
   close(file);
   return held;
 }

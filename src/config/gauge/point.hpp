@@ -36,6 +36,7 @@ struct PointGauge {
             {"von-mises", "GPa", "equivalent stress"},
             {"plastic-strain", "1", "equivalent"},
             {"temperature", "K", "of the matter"},
+            {"molten", "1", "part that is molten"},
             {"position", "mm", "of a point that follows the matter", axis}};
   }
 };

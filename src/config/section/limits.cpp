@@ -66,8 +66,8 @@ Entries<Limits> Limits::keys() {
       part("spall-strength", &L::spall_strength,
            "what a material with a spall-strength bears, as a multiple of it", "2"),
       part("melting", &L::melting,
-           "whole cells hotter by their internal energy than a melting temperature of which the model knows "
-           "nothing"),
+           "whole cells hotter by their internal energy than the melting temperature, where by plastic work "
+           "alone they are not"),
       part("thickness", &L::thickness, "cells across the thinnest part of each deformable body", "4")};
 }
 

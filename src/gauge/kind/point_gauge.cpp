@@ -35,12 +35,12 @@ class PointWatch : public GaugeWatch<Dim> {
     const bool there = reading.sums.any(item_);
     // Sums keep the density first; in the file the pressure comes first.
     const auto at = [&](std::size_t k) { row.push_back(there ? found[k] : nothing); };
-    constexpr std::size_t von_mises = point_sums<Dim> - 3 - Dim;
+    constexpr std::size_t von_mises = 2 + Dim + PointState<Dim>::stresses;
     at(1 + Dim);
     for (std::size_t d = 0; d < Dim; ++d) at(1 + d);
     for (std::size_t k = 2 + Dim; k < von_mises; ++k) at(k);
     at(0);
-    for (std::size_t k = von_mises; k < von_mises + 3; ++k) at(k);
+    for (std::size_t k = von_mises; k + Dim < point_sums<Dim>; ++k) at(k);
     if (point_.follows) append(row, point_.at);
   }
   void pack(parallel::Bytes& bytes) const override { parallel::pack(bytes, point_); }

@@ -48,7 +48,7 @@ State<Dim> make_test_state(const Grid<Dim>& grid, const std::vector<Distance<Dim
     Body<Dim> body;
     body.name = "body" + std::to_string(state.count());
     body.material = material;
-    body.temperature = TemperatureLaw(material.thermal, material.eos);
+    body.temperature = temperature_law(material);
     body.blocks.resize(static_cast<std::size_t>(state.mesh.slots()));
     for (int s = 0; s < state.mesh.local(); ++s) {
       enter_block(body, s, grid);

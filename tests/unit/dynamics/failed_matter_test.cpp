@@ -76,7 +76,7 @@ TYPED_TEST(FailedMatterState, DamageGrowsAndFailedMatterYields) {
   body.material = samples::copper();
   body.material.damage = TensileDamage{1e9, 1, 1e-6};
   body.material.failed = {20e6, 0.1};
-  body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
+  body.temperature = temperature_law(body.material);
   auto q = this->pulled(1e-9, 0.25);
   FailingCell<dim> cell(body, q.data(), 1, 1e-9);
   EXPECT_FALSE(cell.relieve());
@@ -104,7 +104,7 @@ TYPED_TEST(FailedMatterState, WithoutARateMatterFailsAtTheEndOfAStep) {
     body.material = samples::copper();
     body.material.damage = MinimumPressure{tension};
     body.material.failed = {20e6, 0.1};
-    body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
+    body.temperature = temperature_law(body.material);
     ASSERT_TRUE(fails_at_once(body.material.damage));
     auto q = this->pulled(1e-9, 0.25);
     FailingCell<dim> cell(body, q.data(), 1, 1e-9);

@@ -95,6 +95,37 @@ TYPED_TEST(PlasticReturn, MeltedMatterLosesItsDeviator) {
   EXPECT_NEAR(TestFixture::equivalent(state.bodies[0].at(0)), 0, 1);
 }
 
+/// Half of the latent heat taken up: half of the strength; all of it: none, of a model without a limit as
+/// well.
+TYPED_TEST(PlasticReturn, MeltingMatterLosesStrengthWithItsSolidPart) {
+  constexpr int dim = TestFixture::dim;
+  using C = typename TestFixture::C;
+  for (const Strength& strength :
+       {Strength{PerfectlyPlastic{this->shear, this->yield}}, Strength{Elastic{this->shear}}})
+    for (const double molten : {0.25, 0.5, 1.0}) {
+      const auto w = this->stressed(10);
+      auto state = this->state_with(strength, w);
+      Body<dim>& body = state.bodies[0];
+      Material& m = body.material;
+      m.thermal.rule = Thermal::Rule::energy;
+      m.melting = {.temperature = 1358, .heat = 208.7e3};
+      body.temperature = temperature_law(m);
+      auto& b = body.at(0);
+      const std::size_t n = b.volume.size();
+      const double trial = TestFixture::equivalent(b), rho = w[0], c = m.thermal.specific_heat;
+      const TemperatureLaw& law = body.temperature;
+      const double e = law.isentrope(rho) + c * (law.melting_at(rho) - law.on_isentrope(rho)) +
+                       molten * m.melting.heat + distortion_energy(trial * trial, this->shear, rho);
+      double kinetic = 0;
+      for (std::size_t d = 0; d < dim; ++d) kinetic += 0.5 * w[C::u + d] * w[C::u + d];
+      for (std::size_t k = 0; k < n; ++k) b.contents[C::energy * n + k] = b.contents[k] * (e + kinetic);
+      return_to_yield(state, body, 0, 1e-9, state.ledger[0]);
+      const bool limited = std::holds_alternative<PerfectlyPlastic>(strength);
+      const double left = limited ? (1 - molten) * this->yield : molten < 1 ? trial : 0.0;
+      EXPECT_NEAR(TestFixture::equivalent(b), left, 1e-8 * trial) << molten;
+    }
+}
+
 TYPED_TEST(PlasticReturn, WhatIsLeftBelowZeroIsClearedAndCounted) {
   using C = typename TestFixture::C;
   auto state = this->state_with(PerfectlyPlastic{this->shear, this->yield}, this->stressed(1));
@@ -118,34 +149,39 @@ TYPED_TEST(PlasticReturn, ARowIsWhatItsCellsAre) {
   using C = typename TestFixture::C;
   for (const Strength& strength : {Strength{PerfectlyPlastic{this->shear, this->yield}},
                                    Strength{LinearHardening{this->shear, this->yield, 1e9}},
-                                   Strength{Elastic{this->shear}}, samples::copper().strength}) {
-    auto state = this->state_with(strength, this->stressed(1));
-    Body<dim>& body = state.bodies[0];
-    auto& b = body.at(0);
-    const std::size_t n = b.volume.size();
-    Random random(7);
-    for (std::size_t k = 0; k < n; ++k) {
-      const double factor = k % 2 == 0 ? random(0, 0.1) : random(12, 16);
-      for (std::size_t c = C::s; c < C::ep; ++c) b.contents[c * n + k] *= factor;
-      b.contents[C::ep * n + k] = b.contents[k] * random(-0.01, 0.3);
-      b.contents[C::temperature_rise * n + k] = b.contents[k] * random(0, 900);
+                                   Strength{Elastic{this->shear}}, samples::copper().strength})
+    for (const bool melts : {false, true}) {
+      auto state = this->state_with(strength, this->stressed(1));
+      Body<dim>& body = state.bodies[0];
+      if (melts) {
+        body.material.melting.temperature = 800;
+        body.temperature = temperature_law(body.material);
+      }
+      auto& b = body.at(0);
+      const std::size_t n = b.volume.size();
+      Random random(7);
+      for (std::size_t k = 0; k < n; ++k) {
+        const double factor = k % 2 == 0 ? random(0, 0.1) : random(12, 16);
+        for (std::size_t c = C::s; c < C::ep; ++c) b.contents[c * n + k] *= factor;
+        b.contents[C::ep * n + k] = b.contents[k] * random(-0.01, 0.3);
+        b.contents[C::temperature_rise * n + k] = b.contents[k] * random(0, 900);
+      }
+      auto alone = b.contents;
+      int yielding = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        Contents<dim> q;
+        for (std::size_t c = 0; c < q.size(); ++c) q[c] = alone[c * n + k];
+        return_fragment<dim>(body, q, b.volume[k], 1e-9);
+        yielding += q[C::ep] != alone[C::ep * n + k] ? 1 : 0;
+        for (std::size_t c = 0; c < q.size(); ++c) alone[c * n + k] = q[c];
+      }
+      return_to_yield(state, body, 0, 1e-9, state.ledger[0]);
+      EXPECT_EQ(b.contents, alone);
+      if (melts || !std::holds_alternative<Elastic>(strength)) {
+        EXPECT_GT(yielding, 0);
+        EXPECT_LT(yielding, static_cast<int>(n));
+      }
     }
-    auto alone = b.contents;
-    int yielding = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      Contents<dim> q;
-      for (std::size_t c = 0; c < q.size(); ++c) q[c] = alone[c * n + k];
-      return_fragment<dim>(body, q, b.volume[k], 1e-9);
-      yielding += q[C::ep] != alone[C::ep * n + k] ? 1 : 0;
-      for (std::size_t c = 0; c < q.size(); ++c) alone[c * n + k] = q[c];
-    }
-    return_to_yield(state, body, 0, 1e-9, state.ledger[0]);
-    EXPECT_EQ(b.contents, alone);
-    if (!std::holds_alternative<Elastic>(strength)) {
-      EXPECT_GT(yielding, 0);
-      EXPECT_LT(yielding, static_cast<int>(n));
-    }
-  }
 }
 
 /// Johnson-Cook: faster flow is stronger, and the rate is that of this substage.

@@ -83,7 +83,7 @@ TEST(PointProbe, IsExactInALinearField) {
     ASSERT_TRUE(f.there);
     EXPECT_NEAR(norm(f.velocity() - linear(x)), 0, 1e-11);
     EXPECT_NEAR(f.values[0], 1000, 1e-9);
-    EXPECT_NEAR(f.values[point_sums<2> - 3], 298, 1e-9);
+    EXPECT_NEAR(f.values[point_sums<2> - 4], 298, 1e-9);
   }
 }
 
@@ -127,7 +127,7 @@ TEST(PointProbe, StressesAndStrainStayAdmissibleAtAFront) {
   }
   const Found f = find(state, 1e-3, 0.1e-3);
   ASSERT_TRUE(f.there);
-  EXPECT_EQ(f.values[point_sums<2> - 4], 0) << "a linear fit alone would be below zero";
+  EXPECT_EQ(f.values[point_sums<2> - 5], 0) << "a linear fit alone would be below zero";
 }
 
 const char* disc = R"(

@@ -13,7 +13,7 @@ TEST(PointState, OfAStrainedPiece) {
   Body<2> body;
   body.material = hard_matter();
   body.material.thermal.rule = Thermal::Rule::plastic_work;
-  body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
+  body.temperature = temperature_law(body.material);
   using C = Components<2>;
   const double rho = 1010, volume = 2e-8, mass = rho * volume;
   Contents<2> q{};
@@ -39,7 +39,7 @@ TEST(PointState, OfAStrainedPiece) {
 TEST(PointState, OfALineSharesTheRestBetweenBothSides) {
   Body<1> body;
   body.material = hard_matter();
-  body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
+  body.temperature = temperature_law(body.material);
   Contents<1> q{};
   q[Components<1>::rho] = 1000;
   q[Components<1>::s] = 1000 * 6e6;
@@ -53,7 +53,7 @@ TEST(PointState, OfALineSharesTheRestBetweenBothSides) {
 TEST(PointState, ElasticDistortionIsNoHeat) {
   Body<2> body;
   body.material = hard_matter();  // by energy; G 7.5 GPa, c 500 J/(kg K)
-  body.temperature = TemperatureLaw(body.material.thermal, body.material.eos);
+  body.temperature = temperature_law(body.material);
   using C = Components<2>;
   const double distortion = 2 * (9e12 + 9e12) / (4 * 7.5e9 * 1000);  // S_xx = -S_yy = 3 MPa and S_xy = 3 MPa
   Contents<2> q{};

@@ -113,6 +113,41 @@ TEST(Library, CaseChangesTheKindAndKeepsWhatBothHave) {
   EXPECT_NEAR(std::get<Elastic>(stiff.material->strength).shear_modulus, 43.33e9, 1);
 }
 
+TEST(Library, MeltingGoesWithTheStrength) {
+  EXPECT_EQ(find("copper/steinberg").material->melting.temperature, 1790);  // the model's
+  EXPECT_EQ(find("copper/steinberg").material->melting.slope, 1.5);
+  EXPECT_EQ(find("copper/zerilli-armstrong").material->melting.temperature, 1357.77);
+  EXPECT_FALSE(find("copper/seed").material->melting.melts());
+  const auto with = [](const char* base, const char* keys) {
+    return find("m", std::string("[material.m]\nbase = \"") + base + "\"\n" + keys);
+  };
+  const char* plastic = "strength = { kind = \"perfectly-plastic\", yield = \"0.1 GPa\" }\n";
+  const char* johnson_cook =
+      "strength = { kind = \"johnson-cook\", a = \"90 MPa\", b = \"292 MPa\", n = 0.31, c = 0.025, m = 1.09, "
+      "melting-temperature = \"1356 K\" }\n";
+  EXPECT_FALSE(with("copper/steinberg", plastic).material->melting.melts());
+  EXPECT_EQ(with("copper/zerilli-armstrong", plastic).material->melting.temperature, 1357.77);
+  const Found changed = with("copper/zerilli-armstrong", johnson_cook);
+  ASSERT_TRUE(changed.material) << changed.out.text();
+  EXPECT_EQ(changed.material->melting.temperature, 1356);
+  EXPECT_EQ(changed.material->melting.heat, 208.7e3);
+}
+
+TEST(Library, MeltingThatContradictsItsMaterialIsRefused) {
+  const auto wrong = [](const char* base, const char* keys, const char* word) {
+    EXPECT_TRUE(says(find("m", std::string("[material.m]\nbase = \"") + base + "\"\n" + keys), word)) << keys;
+  };
+  wrong("copper/seed", "melting = { temperature = \"1358 K\" }\n",
+        "the strength model has the melting temperature");
+  wrong("copper/steinberg", "melting = { slope = 1.5, gamma0 = 2 }\n",
+        "the strength model has the melting curve");
+  wrong("copper/zerilli-armstrong", "melting.slope = 1.5\n", "belong together");
+  wrong("aluminium/6061-t6", "strength = { kind = \"none\" }\nmelting = { heat = \"397 kJ/kg\" }\n",
+        "needs a temperature");
+  wrong("copper/zerilli-armstrong", "thermal.initial-temperature = \"1400 K\"\n", "molten at the start");
+  wrong("copper/zerilli-armstrong", "melting.heat = \"208.7 J\"\n", "J/kg");
+}
+
 /// The length over which damage averages belongs to every damage model, and is none of a model's constants.
 TEST(Library, TheLengthOfDamageStaysWithAnotherModel) {
   const std::string weak =

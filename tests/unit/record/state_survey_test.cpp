@@ -69,19 +69,33 @@ TEST(StateSurvey, HeatOfShocksThatAModelDoesNotSeeIsMelting) {
   EXPECT_EQ(count(seen(state), StateCheck::melting), 0);
 }
 
-TEST(StateSurvey, OtherModelsMeltByTheirFacts) {
+TEST(StateSurvey, OtherModelsMeltWhereTheMaterialDoes) {
   Material m = copper_with(PerfectlyPlastic{43e9, 0.4e9}, Thermal::Rule::energy);
-  EXPECT_EQ(count(seen(full_of(m, hot)), StateCheck::melting), 0) << "nobody knows";
-  m.facts.melting_temperature = 1358;
-  EXPECT_GT(count(seen(full_of(m, hot)), StateCheck::melting), 0);
-  EXPECT_EQ(count(seen(full_of(m, 0.5 * hot)), StateCheck::melting), 0);
+  EXPECT_EQ(count(seen(full_of(m, 1.5 * hot)), StateCheck::molten), 0) << "nobody knows";
+  m.melting.temperature = 1358;
+  EXPECT_EQ(count(seen(full_of(m, 1.5 * hot)), StateCheck::melting), 0);
+  EXPECT_GT(count(seen(full_of(m, 1.5 * hot)), StateCheck::molten), 0);
+  EXPECT_EQ(count(seen(full_of(m, 0.5 * hot)), StateCheck::molten), 0);
+  m.thermal.rule = Thermal::Rule::plastic_work;
+  EXPECT_GT(count(seen(full_of(m, 1.5 * hot)), StateCheck::melting), 0)
+      << "which its own temperature does not show";
+}
+
+TEST(StateSurvey, MatterThatHasTakenUpPartOfItsLatentHeatIsMolten) {
+  Material m = copper_with(PerfectlyPlastic{43e9, 0.4e9}, Thermal::Rule::energy);
+  m.melting = {.temperature = 1358, .heat = 208.7e3};
+  const double at = temperature_law(m).melting_at(density(m)), c = m.thermal.specific_heat;
+  const BodyEvidence e = seen(full_of(m, (at - m.thermal.initial_temperature) * c + 100e3));
+  const auto& found = e.states[static_cast<std::size_t>(StateCheck::molten)];
+  EXPECT_GT(found.count, 0);
+  EXPECT_NEAR(found.worst, at, 1e-6);
 }
 
 TEST(StateSurvey, MatterWithoutStrengthHasNoneToLose) {
   Material m = copper_with(NoStrength{}, Thermal::Rule::energy);
-  m.facts.melting_temperature = 1358;
-  EXPECT_EQ(count(seen(full_of(m, hot)), StateCheck::melting), 0);
-  EXPECT_GT(count(seen(full_of(m, hot)), StateCheck::molten), 0);
+  m.melting.temperature = 1358;
+  EXPECT_EQ(count(seen(full_of(m, 1.5 * hot)), StateCheck::melting), 0);
+  EXPECT_GT(count(seen(full_of(m, 1.5 * hot)), StateCheck::molten), 0);
   EXPECT_EQ(count(seen(full_of(m, 0.5 * hot)), StateCheck::molten), 0);
 }
 
@@ -124,13 +138,14 @@ TEST(StateSurvey, HeatAndMatterWithoutRoomAreMeasured) {
   EXPECT_NEAR(amount(crowded, StateCheck::overfilled), 0.3 * static_cast<double>(state.step), 1e-9);
 }
 
-// One per cent of the way to melting: 1358 K - 300 K.
+// One per cent of the way to melting, at the density at rest.
 TEST(StateSurvey, NoiseOfTheTemperatureIsSmallBesideTheWayToMelting) {
   Material m = copper_with(PerfectlyPlastic{43e9, 0.4e9}, Thermal::Rule::energy);
-  m.facts.melting_temperature = 1358;
-  const double start = m.thermal.initial_temperature, heat = m.thermal.specific_heat;
-  EXPECT_EQ(count(seen(full_of(m, -0.009 * (1358 - start) * heat)), StateCheck::negative_heat), 0);
-  EXPECT_GT(count(seen(full_of(m, -0.011 * (1358 - start) * heat)), StateCheck::negative_heat), 0);
+  m.melting.temperature = 1358;
+  const double way = temperature_law(m).melting_at(density(m)) - m.thermal.initial_temperature,
+               heat = m.thermal.specific_heat;
+  EXPECT_EQ(count(seen(full_of(m, -0.009 * way * heat)), StateCheck::negative_heat), 0);
+  EXPECT_GT(count(seen(full_of(m, -0.011 * way * heat)), StateCheck::negative_heat), 0);
 }
 
 // Copper at 1 km/s: half a per cent of rho c V/2 = 17.6 GPa, over Gamma rho c_v, is 12.7 K.
