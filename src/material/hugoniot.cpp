@@ -7,35 +7,12 @@
 #include <variant>
 
 #include "core/error.hpp"
+#include "core/rising_root.hpp"
 #include "material/radial_return.hpp"
 
 namespace recoil {
 
 namespace {
-
-/// The root of a rising function in [lo, hi] by the Illinois variant of false position.
-template <class F>
-double rising_root(const F& f, double lo, double hi) {
-  double flo = f(lo), fhi = f(hi);
-  double x = lo;
-  int kept = 0;
-  for (int i = 0; i < 200 && hi - lo > 1e-15 * std::fabs(hi); ++i) {
-    x = fhi > flo ? (lo * fhi - hi * flo) / (fhi - flo) : 0.5 * (lo + hi);
-    if (!(x > lo && x < hi)) x = 0.5 * (lo + hi);
-    const double fx = f(x);
-    if (fx == 0) break;
-    if (fx > 0) {
-      hi = x, fhi = fx;
-      if (kept == 1) flo *= 0.5;
-      kept = 1;
-    } else {
-      lo = x, flo = fx;
-      if (kept == -1) fhi *= 0.5;
-      kept = -1;
-    }
-  }
-  return x;
-}
 
 /// At the rates of a model's own constants: the rate of a shock is not known.
 Strength without_rate(Strength strength) {

@@ -16,6 +16,7 @@
 namespace recoil::model_keys {
 
 using config::Key;
+using config::Node;
 using config::Record;
 
 /// The shortest text that reads back as the same number.
@@ -83,6 +84,20 @@ Key kind_key(const char* doc) {
   Key key{.name = "kind", .type = Key::Type::choice, .required = true, .doc = doc};
   for_each_model<Variant>([&](const auto& model) { key.choices.push_back(model.kind); });
   return key;
+}
+
+/// A table reduced to the children that `keep` accepts.
+template <class F>
+Node reduced(Node table, const F& keep) {
+  std::erase_if(table.children, [&](const Node& child) { return !keep(child.key); });
+  return table;
+}
+
+/// The kind of a part of a material; empty: it says none.
+inline std::string kind_of(const Node& material, const char* part) {
+  const Node* table = material.find(part);
+  const Node* kind = table ? table->find("kind") : nullptr;
+  return kind && kind->is_text() ? kind->text : std::string();
 }
 
 }  // namespace recoil::model_keys

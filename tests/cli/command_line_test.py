@@ -363,15 +363,6 @@ class Ranks(Program):
                                             shallow=False), f"{name} {file}")
             self.assertIn("failure", (self.folder / (name + "1") / "events.csv").read_text())
 
-    def test_debris_is_the_same_in_blocks_of_any_size(self):
-        recoil("new", "whipple", cwd=self.folder)
-        for block in ("16", "32"):
-            done = recoil("run", self.folder / "whipple", "--set", f"mesh.block={block}", "--end", "1.72us", "-j", "1",
-                          "-o", self.folder / block)
-            self.expect(done, 6, "doubtful: ")
-        for file in ("history.csv", "events.csv", "fragments.csv", "gauges/debris.csv"):
-            self.assertTrue(filecmp.cmp(self.folder / "16" / file, self.folder / "32" / file, shallow=False), file)
-
     def test_rims_hold_all_that_is_read_in_three_dimensions(self):
         case = DATA / "cases" / "taylor_copper_3d" / "case.toml"
         words = ["--set", "mesh.finest=0.4mm", "--set", "mesh.block=10", "--end", "0.5us", "-j", "1"]

@@ -120,6 +120,17 @@ class Fragments(unittest.TestCase):
                 self.assertAlmostEqual(sum(float(row["mass [kg/m]"]) for row in own) / whole, 1, delta=1e-12)
         self.assertEqual([row["fragment"] for row in rows[:2]], ["1", "2"], "one of each body")
 
+    def test_debris_is_the_same_in_blocks_of_any_size(self):
+        case = self.folder / "whipple"
+        recoil("new", "whipple", case)
+        for block in ("16", "32"):
+            done = recoil("run", case, "--set", f"mesh.block={block}", "--end", "1.72us", "-j", "1",
+                          "-o", self.folder / f"blocks_{block}")
+            self.assertEqual(done.returncode, 6, done.stderr)
+        for file in ("history.csv", "events.csv", "fragments.csv", "gauges/debris.csv"):
+            self.assertTrue(filecmp.cmp(self.folder / "blocks_16" / file, self.folder / "blocks_32" / file,
+                                        shallow=False), file)
+
     def test_a_scab_flies_off(self):
         last = table(self.folder / "1" / "gauges" / "pieces.csv")[-1]
         self.assertGreaterEqual(float(last["count [1]"]), 2)
