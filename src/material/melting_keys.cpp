@@ -41,7 +41,7 @@ Melting read_melting(const Node& table, const Material& material, Diagnostics& o
   if (!std::isnan(own)) {
     refuse("temperature", "the strength model has the melting temperature", "leave it out here");
     melting.temperature = own;
-  } else if (!melting.melts()) {
+  } else if (!record.has("temperature")) {
     out.error(table.key_place, "[melting] needs a temperature",
               "temperature = \"933 K\", the melting temperature without pressure");
   }
