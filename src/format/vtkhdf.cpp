@@ -175,6 +175,13 @@ void write_vtkhdf(const std::filesystem::path& path, const UnstructuredGrid& gri
   write_atomically(path, file.bytes());
 }
 
+bool can_read_vtkhdf(const std::filesystem::path& path) {
+  const QuietHdf5 quiet;
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (id >= 0) H5Fclose(id);
+  return id >= 0;
+}
+
 VtkhdfFile read_vtkhdf(const std::filesystem::path& path) {
   const QuietHdf5 quiet;
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);

@@ -23,6 +23,9 @@ struct VtkhdfFile {
   double time_s = 0;
 };
 
+/// Whether a file is whole, as far as opening it tells: one that was cut off is not.
+bool can_read_vtkhdf(const std::filesystem::path& path);
+
 /// Reads a file of write_vtkhdf. @throws InputError for a file that is not one.
 VtkhdfFile read_vtkhdf(const std::filesystem::path& path);
 

@@ -44,6 +44,16 @@ class WrongFiles(Program):
         for command in (["report"], ["resume"], ["plot", "pressure"]):
             self.expect(recoil(command[0], self.folder / "aut", *command[1:]), 2, "there is no folder", "did you mean 'out'?")
 
+    def test_a_report_does_without_a_field_file_that_is_cut_off(self):
+        out = self.folder / "out"
+        self.assertIn(recoil("run", self.case(), "-o", out, "--end", "1us", "--set", 'output.fields={every="0.25us"}').returncode,
+                      (0, 5, 6))
+        last = sorted((out / "fields").glob("*.hdf"))[-1]
+        last.write_bytes(last.read_bytes()[:2000])
+        self.expect(recoil("report", out), 0, f"warning: the field file '{last}' is damaged", "= help:")
+        self.assertIn("4 of 5 dumps of the fields", (out / "report.html").read_text(encoding="utf-8"))
+        self.expect(recoil("plot", out, "pressure"), 2, "damaged or cut off")
+
 
 if __name__ == "__main__":
     unittest.main()

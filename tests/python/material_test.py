@@ -202,7 +202,7 @@ class Constants(Own):
 
     def test_tables_and_constants(self):
         frame = self.hard.uniaxial_strain(-0.01, 1, 3).to_pandas()
-        self.assertEqual(frame.shape, (4, 17))
+        self.assertEqual(frame.shape, (4, 18))
         self.assertEqual((frame.attrs["units"]["stress.xz"], frame.attrs["units"]["time"]), ("GPa", "us"))
         self.assertEqual((self.hard.density, self.hard.shear_modulus), (RHO, SHEAR * 1e-9))
         self.assertIn('kind = "perfectly-plastic"', self.hard.to_toml())

@@ -27,6 +27,8 @@ int report(const ReportOptions& o) {
                     file.filename().string()));
   const WrittenReport written = write_report(file, runs, o.most_mb);
   fmt::print("{}  {:.2f} MB\n", file.string(), static_cast<double>(written.bytes) * 1e-6);
+  for (const std::string& line : written.damaged)
+    fmt::print(stderr, "warning: {}\n   = help: the page does without it; run the case again for it\n", line);
   for (const std::string& line : written.omissions)
     fmt::print("  {}; --max-mb {:.0f} would show more\n", line, 4 * std::max(o.most_mb, 1.0));
   return 0;

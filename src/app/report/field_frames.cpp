@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "app/report/run_dumps.hpp"
 #include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "format/packed.hpp"
@@ -81,13 +82,11 @@ std::size_t FieldFrames::Frame::size() const {
 
 FieldFrames::FieldFrames(const std::filesystem::path& run, const LoadedCase& loaded, double most)
     : units_(run_units(loaded.contents.domain.geometry)), round_off_(round_off_of(loaded)) {
-  std::vector<ChosenDump> dumps;
-  try {
-    dumps = all_dumps(run);
-  } catch (const InputError&) {
-    return;  // a run without fields
-  }
-  dumps_ = dumps.size();
+  const RunDumps found = dumps_of(run);
+  const std::vector<ChosenDump>& dumps = found.whole;
+  if (dumps.empty()) return;
+  whole_ = dumps.size();
+  dumps_ = whole_ + found.damaged.size();
   add_planes(loaded.contents);
   choose_detail(dumps, most);
   const std::size_t every = 1 + (dumps.size() - 1) / most_frames;
@@ -235,8 +234,7 @@ Json FieldFrames::write(Blocks& blocks) const {
 }
 
 std::string FieldFrames::omission() const {
-  const std::size_t shown = planes_.empty() ? 0 : planes_.front().frames.size();
-  return shown < dumps_ ? fmt::format("{} of {} dumps of the fields", shown, dumps_) : "";
+  return shown() < dumps_ ? fmt::format("{} of {} dumps of the fields", shown(), dumps_) : "";
 }
 
 }  // namespace recoil::app

@@ -39,6 +39,8 @@ class FieldFrames {
   Json write(Blocks& blocks) const;
   /// What had to be left out, in words; empty: nothing.
   std::string omission() const;
+  /// Whether frames were left out because they would take too much.
+  bool is_thinned() const { return shown() < whole_; }
 
  private:
   struct Frame {
@@ -67,12 +69,13 @@ class FieldFrames {
   void choose_scalars(const UnstructuredGrid& grid);
   Json variable(const FieldScalar& scalar) const;
   std::size_t size() const;
+  std::size_t shown() const { return planes_.empty() ? 0 : planes_.front().frames.size(); }
   void thin_out(double most);
 
   RunUnits units_;
   RoundOff round_off_;
   int bits_ = 12;
-  std::size_t dumps_ = 0;
+  std::size_t dumps_ = 0, whole_ = 0;  // of the run; those that can be read
   std::vector<Plane> planes_;
   std::vector<FieldScalar> scalars_;     // stored
   std::vector<FieldScalar> magnitudes_;  // of vectors, which the page makes from their components

@@ -13,6 +13,7 @@ inline constexpr double usual_report_mb = 10;
 struct WrittenReport {
   std::uintmax_t bytes = 0;
   std::vector<std::string> omissions;  // what did not fit, in words
+  std::vector<std::string> damaged;    // files that cannot be read, in words
 };
 
 /// Writes one page that shows runs: a file that needs nothing else.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/plot/rigid_scene.hpp"
+#include "app/report/run_dumps.hpp"
 #include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "format/packed.hpp"
@@ -79,12 +80,8 @@ std::size_t SurfaceFrames::Frame::size() const {
 
 SurfaceFrames::SurfaceFrames(const std::filesystem::path& run, const config::Case& c, double most) {
   if (c.domain.geometry != config::Geometry::space) return;
-  std::vector<ChosenDump> dumps;
-  try {
-    dumps = all_dumps(run);
-  } catch (const InputError&) {
-    return;  // a run without fields
-  }
+  const std::vector<ChosenDump> dumps = dumps_of(run).whole;
+  if (dumps.empty()) return;
   const double one = static_cast<double>(frame_of(dumps.back(), c).size());  // the most deformed surfaces
   const auto room = static_cast<std::size_t>(std::clamp(most / one, 0.0, double{most_frames}));
   for (const std::size_t k : evenly(dumps.size(), room)) frames_.push_back(frame_of(dumps[k], c));

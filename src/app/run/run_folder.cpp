@@ -10,6 +10,8 @@
 #include <chrono>
 #include <cstddef>
 #include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -91,12 +93,23 @@ void copy_files(const fs::path& folder, const LoadedCase& loaded) {
   }
 }
 
-/// Locks a file for this process alone. Waits two seconds for another one: a run that was stopped may still
-/// be closing its files, and is_held() holds the lock for an instant. @returns whether it has it.
-bool lock_soon(int file) {
+/// Whether the run of a folder says that it is under way.
+bool says_running(const fs::path& folder) {
+  std::ifstream in(folder / "status.json");
+  const auto j = nlohmann::json::parse(in, nullptr, false);
+  return j.is_object() && j.value("state", "") == "running";
+}
+
+/// Locks a file in a folder for this process alone. is_held() holds the lock for an instant; a run that was
+/// stopped, and does not say that it is running, may still be closing its files: it has two seconds for that.
+/// @returns whether it has it.
+bool lock_soon(int file, const fs::path& folder) {
   constexpr std::chrono::milliseconds pause{20};
-  for (int i = 0; i < 100; ++i, std::this_thread::sleep_for(pause))
+  constexpr int instant = 3, longest = 100;  // pauses
+  for (int i = 0; i < longest; ++i, std::this_thread::sleep_for(pause)) {
     if (flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+    if (i >= instant && says_running(folder)) return false;
+  }
   return false;
 }
 
@@ -124,7 +137,7 @@ RunLock::RunLock(const fs::path& folder) {
   file_ = open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file_ < 0)
     throw EnvironmentError(fmt::format("{} cannot be written: {}", name.string(), std::strerror(errno)));
-  if (!lock_soon(file_)) {
+  if (!lock_soon(file_, folder)) {
     close(file_);
     throw InputError(
         fmt::format("another run is writing to the folder {}\n   = help: wait for it, stop it, or "
