@@ -122,7 +122,7 @@ RECOIL_MULTIVERSION [[gnu::flatten]] void find_elastic(StrengthModel strength, B
           (q[C::energy * row.n] - 0.5 * kinetic * per_mass) * per_mass - trial2 * per_modulus / rho;
       temperature = bounds.highest(rho, e, q[C::temperature_rise * row.n] * per_mass);
       if constexpr (ModelBelow<StrengthModel>::melts)
-        temperature = rho >= bounds.least_density ? temperature : infinite;
+        if (rho < bounds.least_density) temperature = infinite;
     }
     const double least = least_yield(strength, ep, temperature);
     elastic[c] = trial2 < least * least ? 1 : 0;

@@ -28,9 +28,10 @@ class HighestTemperature {
 
   /// Arguments of TemperatureLaw.
   [[gnu::always_inline]] double operator()(double rho, double e, double heat) const {
-    const double x = gamma0_ * (1 - rho0_ / rho),
-                 most = initial_ / (1 - x) + e * per_energy_ + heat * by_heat_;
-    return x < 1 ? most : infinite;
+    const double x = gamma0_ * (1 - rho0_ / rho);
+    double most = initial_ / (1 - x) + e * per_energy_ + heat * by_heat_;
+    if (!(x < 1)) most = infinite;
+    return most;
   }
 
  private:
