@@ -43,14 +43,14 @@ class FieldFrames {
   bool is_thinned() const { return shown() < whole_; }
 
  private:
-  struct Frame {
+  struct Frame {                         // NOLINT(bugprone-exception-escape): moving JSON does not throw
     Json head;                           // time, size and place of the cells
     std::vector<QuantisedField> values;  // of the scalars, in their order
     std::string outlines;
     std::size_t size() const;
   };
-  struct Plane {
-    Json head;  // name, axes
+  struct Plane {  // NOLINT(bugprone-exception-escape): likewise
+    Json head;    // name, axes
     Cut cut;
     std::vector<Frame> frames;
   };
@@ -63,7 +63,7 @@ class FieldFrames {
 
   void add_planes(const config::Case& c);
   void choose_detail(const std::vector<ChosenDump>& dumps, double most);
-  void add_dump(const ChosenDump& dump);
+  void add_dump(const ChosenDump& chosen);
   Frame frame_of(const VtkhdfFile& dump, const Cut& cut);
   void note(const FieldScalar& scalar, const std::vector<double>& values);
   void choose_scalars(const UnstructuredGrid& grid);
