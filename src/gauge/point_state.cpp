@@ -46,10 +46,9 @@ PointState<Dim> point_state(const Body<Dim>& body, const Contents<Dim>& contents
   const double solid =
       p.has_void ? solid_fraction(body.material.eos, p.density, p.thermal_energy, w[C::crushed]) : 1.0;
   p.void_fraction = 1 - solid;
-  const TemperatureLaw& law = body.temperature;
-  const Melt melt = law.melt(p.density / solid, p.thermal_energy, w[C::temperature_rise]);
-  p.temperature = melt.temperature, p.molten = melt.molten, p.melts_at = melt.at;
-  p.unmelted = law.unmelted(p.density / solid, p.thermal_energy, w[C::temperature_rise]);
+  const Melt melt = body.temperature.melt(p.density / solid, p.thermal_energy, w[C::temperature_rise]);
+  p.temperature = melt.temperature, p.molten = melt.molten;
+  p.unmelted = melt.unmelted, p.melts_at = melt.at;
   return p;
 }
 

@@ -258,10 +258,10 @@ std::optional<Node> with_base(const Node& table, Search& search) {
   }
   std::optional<Node> base = table_of(base_name->text, search, base_name->place);
   if (!base) return std::nullopt;
+  keep_melting(*base, over);  // first: it compares the kinds of strength
   keep_common<Eos>(*base, over, "eos");
   keep_common<Strength>(*base, over, "strength");
   keep_common<Damage>(*base, over, "damage");
-  keep_melting(*base, over);
   return merged(*base, over);
 }
 

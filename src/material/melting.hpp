@@ -18,6 +18,7 @@ struct Melting {
   double heat = 0;             // J/kg, latent heat of fusion
   double slope = unset;        // 1, a; not a number: by the equation of state
   double gamma0 = unset;       // 1; likewise
+  bool at_rest = false;  // the temperature is that at rest density, and not of matter expanded by its heat
 
   static constexpr auto parameters() {
     using P = Parameter<Melting>;
@@ -43,15 +44,16 @@ struct Melt {
   double molten = 0;       // 0 to 1
   double temperature = 0;  // K
   double at = infinite;    // K, its melting temperature
+  double unmelted = 0;     // K, the temperature without latent heat
 };
 
 /// @param unmelted temperature [K] that the state would have without latent heat. @param at its melting
 /// temperature [K]. @param delay latent heat over specific heat [K].
 inline Melt melt(double unmelted, double at, double delay) {
   const double excess = unmelted - at;
-  if (!(excess >= 0)) return {0, unmelted, at};
-  if (excess >= delay) return {1, unmelted - delay, at};
-  return {excess / delay, at, at};
+  if (!(excess >= 0)) return {0, unmelted, at, unmelted};
+  if (excess >= delay) return {1, unmelted - delay, at, unmelted};
+  return {excess / delay, at, at, unmelted};
 }
 
 }  // namespace recoil

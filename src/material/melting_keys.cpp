@@ -48,7 +48,7 @@ Melting read_melting(const Node& table, const Material& material, Diagnostics& o
   if (curve) {
     refuse("slope", "the strength model has the melting curve", "leave it out here");
     refuse("gamma0", "the strength model has the melting curve", "leave it out here");
-    melting.slope = curve->melting_slope, melting.gamma0 = curve->gamma0;
+    melting.slope = curve->melting_slope, melting.gamma0 = curve->gamma0, melting.at_rest = true;
   } else if (std::isnan(melting.slope) != std::isnan(melting.gamma0)) {
     out.error(table.key_place, "slope and gamma0 of a melting curve belong together",
               "give both, or neither: then the curve follows from the equation of state");

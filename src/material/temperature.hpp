@@ -86,7 +86,7 @@ class TemperatureLaw {
   /// Of solid density rho and a temperature without latent heat [K].
   Melt melted(double rho, double unmelted) const {
     return melts() ? recoil::melt(unmelted, melting_at(rho), melting_.heat / thermal_.specific_heat)
-                   : Melt{0, unmelted};
+                   : Melt{0, unmelted, infinite, unmelted};
   }
   bool melts() const { return melting_at_rest_ < infinite; }
 
@@ -110,8 +110,7 @@ class TemperatureLaw {
   /// Energy e [J/kg] of a temperature [K] at a solid density; at the melting temperature that of the solid.
   double energy_at(double rho, double temperature) const {
     if (own_) return own_->energy_at(rho, temperature);
-    const double latent = temperature > melting_at(rho) ? melting_.heat : 0.0;
-    return isentrope(rho) + thermal_.specific_heat * (temperature - on_isentrope(rho)) + latent;
+    return solid_energy_at(rho, temperature) + (temperature > melting_at(rho) ? melting_.heat : 0.0);
   }
 
   /// Density of the solid [kg/m3] of porous matter that has lost `crushed` of its distension; of other matter
@@ -148,15 +147,25 @@ class TemperatureLaw {
   /// Whether the temperature of the isentrope depends on density.
   bool follows_isentrope() const { return own_ || gas_power_ > 0 || !growth_.empty() || gamma0_ > 0; }
 
+  double solid_energy_at(double rho, double temperature) const {
+    if (own_) return own_->energy_at(rho, temperature);
+    return isentrope(rho) + thermal_.specific_heat * (temperature - on_isentrope(rho));
+  }
+
   /// From the melting temperature without pressure, where heat has expanded matter, to that at rest density.
   template <class Model>
   void find_melting_at_rest(const Model& eos) {
     if (!melting_.melts()) return;
     melting_at_rest_ = melting_.temperature;
-    const double heat = melting_.heat;
-    melting_.heat = 0;  // of the solid
+    if (!melting_.at_rest)
+      melting_at_rest_ *= melting_.temperature / melting_at(density_without_pressure(eos));
+    find_least_melting(std::log(std::min(eos.largest_density() / rho0_, 10.0)));
+  }
+  /// Of the solid at its melting temperature [kg/m3].
+  template <class Model>
+  double density_without_pressure(const Model& eos) const {
     const auto pushes = [&](double rho) {
-      return eos.pressure(rho, energy_at(rho, melting_.temperature)) > 0;
+      return eos.pressure(rho, solid_energy_at(rho, melting_.temperature)) > 0;
     };
     double free = rho0_, denser = rho0_;
     const double least = std::max(0.5, density_range(eos).least) * rho0_;
@@ -165,9 +174,7 @@ class TemperatureLaw {
       const double middle = 0.5 * (free + denser);
       (pushes(middle) ? denser : free) = middle;
     }
-    melting_.heat = heat;
-    melting_at_rest_ *= melting_.temperature / melting_at(free);
-    find_least_melting(std::log(std::min(eos.largest_density() / rho0_, 10.0)));
+    return free;
   }
   void find_melting_at_rest(const Porous& eos) {
     std::visit([this](const auto& m) { find_melting_at_rest(m); }, eos.solid);

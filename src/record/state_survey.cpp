@@ -34,19 +34,18 @@ double bulk_modulus(const Material& m) {
 }
 
 /// Melting temperature at rest density [K]; NaN where neither the material nor its strength model has one.
-double melting_at_rest(const Material& m) {
-  const TemperatureLaw law = temperature_law(m);
+double melting_at_rest(const Material& m, const TemperatureLaw& law) {
   return law.melts() ? law.melting_at(solid_density(m)) : melting_temperature(m.strength, 1);
 }
 
 /// How far below the isentrope a temperature may lie [K]: as far as an error of the pressure takes it, of a
 /// small part of the stress `rho c V/2` of an impact of like on like, or a small part of what is left to the
 /// melting temperature, by which strength depends on it.
-double noise_of(const Material& m, double closing_speed) {
+double noise_of(const Material& m, const TemperatureLaw& law, double closing_speed) {
   const double rho = density(m), error = noise_of_stress * 0.5 * rho * bulk_sound_speed(m) * closing_speed;
   const double per_heat = (pressure(m.eos, rho, 1e3) - pressure(m.eos, rho, 0)) / 1e3;  // dp/de [kg/m3]
   double noise = least_noise;
-  if (const double melting = melting_at_rest(m); !std::isnan(melting))
+  if (const double melting = melting_at_rest(m, law); !std::isnan(melting))
     noise = std::max(noise, noise_of_melting * (melting - m.thermal.initial_temperature));
   return per_heat > 0 ? std::max(noise, error / (per_heat * m.thermal.specific_heat)) : noise;
 }
@@ -75,7 +74,7 @@ StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& lim
     Bounds& b = bounds_.emplace_back();
     if (body.rigid) continue;
     b.tension = borne_tension(m, limits);
-    b.noise = noise_of(m, closing_speed);
+    b.noise = noise_of(m, body.temperature, closing_speed);
     b.softens = !std::isnan(melting_temperature(m.strength, 1));
     b.no_strength = !has_strength(m.strength);
   }

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "app/report/run_dumps.hpp"
 #include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "format/packed.hpp"
@@ -80,9 +79,8 @@ std::size_t FieldFrames::Frame::size() const {
   return n;
 }
 
-FieldFrames::FieldFrames(const std::filesystem::path& run, const LoadedCase& loaded, double most)
+FieldFrames::FieldFrames(const RunDumps& found, const LoadedCase& loaded, double most)
     : units_(run_units(loaded.contents.domain.geometry)), round_off_(round_off_of(loaded)) {
-  const RunDumps found = dumps_of(run);
   const std::vector<ChosenDump>& dumps = found.whole;
   if (dumps.empty()) return;
   whole_ = dumps.size();

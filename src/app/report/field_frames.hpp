@@ -11,6 +11,7 @@
 #include "app/load_case.hpp"
 #include "app/plot/round_off.hpp"
 #include "app/report/page_data.hpp"
+#include "app/report/run_dumps.hpp"
 #include "config/case.hpp"
 #include "format/vtkhdf.hpp"
 #include "picture/field_plane.hpp"
@@ -33,7 +34,7 @@ class FieldFrames {
  public:
   /// Reads the dumps of a run; one without dumps has no frames. Where they would take more than `most`
   /// characters, values are stored in 8 bits instead of 12, and then frames are left out.
-  FieldFrames(const std::filesystem::path& run, const LoadedCase& loaded, double most);
+  FieldFrames(const RunDumps& found, const LoadedCase& loaded, double most);
 
   /// Adds them to a page. @returns their JSON; null where there are none.
   Json write(Blocks& blocks) const;

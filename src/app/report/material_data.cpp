@@ -41,9 +41,9 @@ Json material_json(const Material& m) {
   Json j = {{"name", m.name}, {"title", m.title}, {"doubt", m.doubt}, {"cite", m.cite}};
   j["tables"] = {table_of_kind("equation of state", m.eos), table_of_kind("strength", m.strength),
                  table_of("temperature", by_energy ? "by energy" : "by plastic work", m.thermal),
-                 table_of("melting", m.melting.has_own_curve() ? "" : "by the equation of state", m.melting),
                  table_of("facts", "for checks", m.facts)};
-  if (!m.melting.melts()) j["tables"].erase(3);
+  const char* curve = m.melting.has_own_curve() ? "a curve of its own" : "by the equation of state";
+  if (m.melting.melts()) j["tables"].insert(j["tables"].begin() + 3, table_of("melting", curve, m.melting));
   if (const auto* porous = std::get_if<Porous>(&m.eos))
     j["tables"].insert(j["tables"].begin() + 1, table_of_kind("its solid", porous->solid));
   return j;

@@ -84,11 +84,12 @@ WrittenReport write_report(const fs::path& file, const std::vector<fs::path>& ru
     const double taken = static_cast<double>(text_in_page(one).size() + blocks.text().size());
     const double left = std::max(
         0.0, most * static_cast<double>(j["runs"].size() + 1) / static_cast<double>(runs.size()) - taken);
-    for (const fs::path& dump : dumps_of(run).damaged)
+    const RunDumps dumps = dumps_of(run);
+    for (const fs::path& dump : dumps.damaged)
       written.damaged.push_back(fmt::format("the field file '{}' is damaged or cut off", dump.string()));
-    const SurfaceFrames surfaces(run, loaded.contents, left / 3);
+    const SurfaceFrames surfaces(dumps, loaded.contents, left / 3);
     one["surfaces"] = surfaces.write(blocks);
-    const FieldFrames fields(run, loaded, left - static_cast<double>(surfaces.size()));
+    const FieldFrames fields(dumps, loaded, left - static_cast<double>(surfaces.size()));
     one["fields"] = fields.write(blocks);
     if (fields.is_thinned())
       written.omissions.push_back(fmt::format("{}: {} shown", run.string(), fields.omission()));

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/plot/rigid_scene.hpp"
-#include "app/report/run_dumps.hpp"
 #include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "format/packed.hpp"
@@ -78,9 +77,9 @@ std::size_t SurfaceFrames::Frame::size() const {
   return n;
 }
 
-SurfaceFrames::SurfaceFrames(const std::filesystem::path& run, const config::Case& c, double most) {
+SurfaceFrames::SurfaceFrames(const RunDumps& found, const config::Case& c, double most) {
   if (c.domain.geometry != config::Geometry::space) return;
-  const std::vector<ChosenDump> dumps = dumps_of(run).whole;
+  const std::vector<ChosenDump>& dumps = found.whole;
   if (dumps.empty()) return;
   const double one = static_cast<double>(frame_of(dumps.back(), c).size());  // the most deformed surfaces
   const auto room = static_cast<std::size_t>(std::clamp(most / one, 0.0, double{most_frames}));

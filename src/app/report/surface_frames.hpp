@@ -8,6 +8,7 @@
 
 #include "app/report/field_frames.hpp"
 #include "app/report/page_data.hpp"
+#include "app/report/run_dumps.hpp"
 #include "config/case.hpp"
 #include "picture/field_plane.hpp"
 #include "picture/space/surface_net.hpp"
@@ -20,7 +21,7 @@ class SurfaceFrames {
  public:
   /// Reads at most 24 dumps of a run, evenly and the last one always, and fewer where they would take more
   /// than `most` characters. None of another geometry and of a run without dumps.
-  SurfaceFrames(const std::filesystem::path& run, const config::Case& c, double most);
+  SurfaceFrames(const RunDumps& found, const config::Case& c, double most);
 
   /// Adds them to a page. @returns their JSON; null where there are none.
   Json write(Blocks& blocks) const;

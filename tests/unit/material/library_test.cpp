@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "material/hugoniot.hpp"
+
 namespace recoil {
 namespace {
 
@@ -113,24 +115,27 @@ TEST(Library, CaseChangesTheKindAndKeepsWhatBothHave) {
   EXPECT_NEAR(std::get<Elastic>(stiff.material->strength).shear_modulus, 43.33e9, 1);
 }
 
+/// Melting of a library material, or of material `m` made from it with keys of its own.
+Melting melting_of(const std::string& base, const std::string& keys = {}) {
+  const Found found =
+      keys.empty() ? find(base) : find("m", "[material.m]\nbase = \"" + base + "\"\n" + keys);
+  EXPECT_TRUE(found.material) << base << "\n" << keys << found.out.text();
+  return found.material.value_or(Material{}).melting;
+}
+
 TEST(Library, MeltingGoesWithTheStrength) {
-  EXPECT_EQ(find("copper/steinberg").material->melting.temperature, 1790);  // the model's
-  EXPECT_EQ(find("copper/steinberg").material->melting.slope, 1.5);
-  EXPECT_EQ(find("copper/zerilli-armstrong").material->melting.temperature, 1357.77);
-  EXPECT_FALSE(find("copper/seed").material->melting.melts());
-  const auto with = [](const char* base, const char* keys) {
-    return find("m", std::string("[material.m]\nbase = \"") + base + "\"\n" + keys);
-  };
+  EXPECT_EQ(melting_of("copper/steinberg").temperature, 1790);  // the model's
+  EXPECT_EQ(melting_of("copper/steinberg").slope, 1.5);
+  EXPECT_EQ(melting_of("copper/zerilli-armstrong").temperature, 1357.77);
+  EXPECT_FALSE(melting_of("copper/seed").melts());
   const char* plastic = "strength = { kind = \"perfectly-plastic\", yield = \"0.1 GPa\" }\n";
   const char* johnson_cook =
       "strength = { kind = \"johnson-cook\", a = \"90 MPa\", b = \"292 MPa\", n = 0.31, c = 0.025, m = 1.09, "
       "melting-temperature = \"1356 K\" }\n";
-  EXPECT_FALSE(with("copper/steinberg", plastic).material->melting.melts());
-  EXPECT_EQ(with("copper/zerilli-armstrong", plastic).material->melting.temperature, 1357.77);
-  const Found changed = with("copper/zerilli-armstrong", johnson_cook);
-  ASSERT_TRUE(changed.material) << changed.out.text();
-  EXPECT_EQ(changed.material->melting.temperature, 1356);
-  EXPECT_EQ(changed.material->melting.heat, 208.7e3);
+  EXPECT_FALSE(melting_of("copper/steinberg", plastic).melts());
+  EXPECT_EQ(melting_of("copper/zerilli-armstrong", plastic).temperature, 1357.77);
+  EXPECT_EQ(melting_of("copper/zerilli-armstrong", johnson_cook).temperature, 1356);
+  EXPECT_EQ(melting_of("copper/zerilli-armstrong", johnson_cook).heat, 208.7e3);
 }
 
 TEST(Library, MeltingThatContradictsItsMaterialIsRefused) {
@@ -146,6 +151,28 @@ TEST(Library, MeltingThatContradictsItsMaterialIsRefused) {
         "needs a temperature");
   wrong("copper/zerilli-armstrong", "thermal.initial-temperature = \"1400 K\"\n", "molten at the start");
   wrong("copper/zerilli-armstrong", "melting.heat = \"208.7 J\"\n", "J/kg");
+}
+
+/// Where sound speeds fell: McQueen, Fritz & Morris (1984), Hayes, Hixson & McQueen (2000), Brown & Shaner (1984).
+TEST(Library, ShockMeltsMetalsWithinAFifthOfWhereItWasSeen) {
+  const auto expect = [](const char* name, double measured, double part) {
+    const Found found = find(name);
+    ASSERT_TRUE(found.material) << name;
+    double low = 1000, high = 6000;  // m/s
+    while (high - low > 1) {
+      const double middle = 0.5 * (low + high);
+      (shock_at_velocity(*found.material, middle).molten > 0 ? high : low) = middle;
+    }
+    const ShockState begins = shock_at_velocity(*found.material, high),
+                     beyond = shock_at_velocity(*found.material, 1.1 * high);
+    EXPECT_NEAR(begins.stress / measured, 1, part) << name;
+    EXPECT_GT(beyond.molten, 0.5) << name;
+    EXPECT_EQ(beyond.yield, 0) << name;
+  };
+  expect("copper/steinberg", 232e9, 0.06);
+  expect("tantalum/steinberg", 295e9, 0.1);
+  expect("copper/zerilli-armstrong", 232e9, 0.17);
+  expect("aluminium/1100-o", 125e9, 0.17);
 }
 
 /// The length over which damage averages belongs to every damage model, and is none of a model's constants.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "material/hugoniot.hpp"
 #include "material/starting_state.hpp"
 #include "samples.hpp"
 
@@ -112,33 +111,6 @@ TEST(Melting, NoStateMeltsBelowTheBound) {
       EXPECT_LE(law.least_melting(), law.melting_at(x * rest)) << eos.kind << " " << x;
     EXPECT_GT(law.least_melting(), 300);
   });
-}
-
-/// McQueen, Fritz & Morris (1984) see aluminium begin to melt on its Hugoniot at about 125 GPa.
-TEST(Melting, AluminiumMeltsOnItsHugoniotWhereItWasMeasured) {
-  Material m;
-  m.eos = MieGruneisenCubic{2707, 5386, 1.339, 0, 0, 1.97, .48};
-  m.strength = SteinbergGuinan{.shear_modulus = 27.1e9,
-                               .y0 = 0.04e9,
-                               .y_max = 0.48e9,
-                               .beta = 400,
-                               .n = .27,
-                               .a = 65.2e-12,
-                               .b = 0.616e-3,
-                               .melting_temperature = 1220,
-                               .melting_slope = 1.5,
-                               .gamma0 = 1.97};
-  m.thermal.specific_heat = 885;
-  m.melting = {1220, 397e3, 1.5, 1.97};
-  double low = 1000, high = 6000;
-  while (high - low > 1) {
-    const double middle = 0.5 * (low + high);
-    (shock_at_velocity(m, middle).molten > 0 ? high : low) = middle;
-  }
-  const ShockState begins = shock_at_velocity(m, high), beyond = shock_at_velocity(m, 1.1 * high);
-  EXPECT_NEAR(begins.stress, 125e9, 6e9);
-  EXPECT_GT(beyond.molten, 0.5);
-  EXPECT_EQ(beyond.yield, 0);
 }
 
 }  // namespace
