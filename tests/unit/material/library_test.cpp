@@ -117,8 +117,7 @@ TEST(Library, CaseChangesTheKindAndKeepsWhatBothHave) {
 
 /// Melting of a library material, or of material `m` made from it with keys of its own.
 Melting melting_of(const std::string& base, const std::string& keys = {}) {
-  const Found found =
-      keys.empty() ? find(base) : find("m", "[material.m]\nbase = \"" + base + "\"\n" + keys);
+  const Found found = keys.empty() ? find(base) : find("m", "[material.m]\nbase = \"" + base + "\"\n" + keys);
   EXPECT_TRUE(found.material) << base << "\n" << keys << found.out.text();
   return found.material.value_or(Material{}).melting;
 }
@@ -153,7 +152,8 @@ TEST(Library, MeltingThatContradictsItsMaterialIsRefused) {
   wrong("copper/zerilli-armstrong", "melting.heat = \"208.7 J\"\n", "J/kg");
 }
 
-/// Where sound speeds fell: McQueen, Fritz & Morris (1984), Hayes, Hixson & McQueen (2000), Brown & Shaner (1984).
+/// Where sound speeds fell: McQueen, Fritz & Morris (1984), Hayes, Hixson & McQueen (2000), Brown & Shaner
+/// (1984).
 TEST(Library, ShockMeltsMetalsWithinAFifthOfWhereItWasSeen) {
   const auto expect = [](const char* name, double measured, double part) {
     const Found found = find(name);
