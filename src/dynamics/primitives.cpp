@@ -35,6 +35,14 @@ constexpr double near_front =
     1.5;                          // [cells] from a surface of gas, where it may soon run at its escape speed
 constexpr double near_rigid = 3;  // [cells] from a rigid body, which may soon carry matter along
 
+/// What phi is at most [m] in cells that a block without a surface near may hold. All there have a value, and
+/// so have these in other blocks: the block beside would not know that one has none, and their fluxes through
+/// the face between them would differ.
+template <int Dim>
+double within(const Grid<Dim>& grid) {
+  return -far_cells * grid.dx;
+}
+
 template <int Dim>
 std::vector<double> point_of(const State<Dim>& state, int slot, const Index<Dim>& local) {
   const Vec<Dim> x = state.grid(slot).centre(state.mesh.block(slot).cells.lo + local);
@@ -110,11 +118,12 @@ RECOIL_MULTIVERSION void row_primitives(const EosModel& eos, std::size_t first, 
 enum class Averaged : std::uint8_t { no, yes, kept };
 
 /// What a donor is averaged by: its volume is above `least` (by column) and above `of_old` times that at the
-/// start of the step, its density lies between `thinnest` and `densest` [kg/m3].
+/// start of the step, its density lies between `thinnest` and `densest` [kg/m3]. All are, where phi [m] is at
+/// most `within`, as in blocks that no surface is near.
 struct AveragedRow {
   const std::uint8_t* role;
-  const double *volume, *volume_old, *mass, *least;
-  double of_old, thinnest, densest;
+  const double *volume, *volume_old, *mass, *phi, *least;
+  double of_old, thinnest, densest, within;
 };
 
 /// Says it of a row of cells. The row is a copy, so that the compiler knows that it stays as it is.
@@ -125,7 +134,7 @@ RECOIL_MULTIVERSION void find_averaged(AveragedRow row, int count, Averaged* to)
     const bool donor = (row.role[c] & donates) != 0, good = (volume > row.of_old * row.volume_old[c]) &
                                                             (volume > row.least[c]) & (rho > row.thinnest) &
                                                             (rho < row.densest);
-    to[c] = !donor ? Averaged::no : good ? Averaged::yes : Averaged::kept;
+    to[c] = !donor ? Averaged::no : good | (row.phi[c] <= row.within) ? Averaged::yes : Averaged::kept;
   }
 }
 
@@ -153,8 +162,8 @@ void average_donors(const State<Dim>& state, const EosModel& eos, Body<Dim>& bod
     const auto k = static_cast<std::size_t>(layout.at(i - lo));
     const double* volume = b.volume.data() + k;
     find_averaged({b.role.data() + k, volume, is_mean ? b.volume_old.data() + k : volume,
-                   b.contents.data() + k, least.data(), is_mean ? least_of_old : 0.0, thinnest * eos.rho0,
-                   densest_averaged * range.most * eos.rho0},
+                   b.contents.data() + k, b.phi.data() + k, least.data(), is_mean ? least_of_old : 0.0,
+                   thinnest * eos.rho0, densest_averaged * range.most * eos.rho0, within(grid)},
                   width, averaged.data());
     for (int c = 0; c < width; ++c) {
       const auto is = [&](int at, Averaged how) { return averaged[static_cast<std::size_t>(at)] == how; };
@@ -221,7 +230,8 @@ void choose_roles(const State<Dim>& state, Body<Dim>& body, int slot, Counters& 
     if (fill >= regular_fill) role |= regular | valued;
     const double rho = role != 0 ? b.contents[k] / b.volume[k] : rho0;
     if (fill >= regular_fill && !(rho < densest && rho > -rho0)) refuse_density(state, body, slot, i - lo, k);
-    if (role != 0 && !(rho > (fails && has_failed(b, k) ? thinnest_failed : thinnest) * rho0)) {
+    if (role != 0 && b.phi[k] > within(grid) &&
+        !(rho > (fails && has_failed(b, k) ? thinnest_failed : thinnest) * rho0)) {
       ++counters.fragments_too_thin;
       role = 0;
     }

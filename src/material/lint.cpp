@@ -131,6 +131,12 @@ void check_eos(const Material& m, const MieGruneisen& eos, Findings& out) {
 void check_eos(const Material& m, const MieGruneisenCubic& eos, Findings& out) {
   check_slope(m, eos.s1, "eos.s1", out);
   check_gamma0(eos.gamma0, "eos.gamma0", out);
+  if (!(eos.sublimation > 0)) return;
+  const double by_sound = eos.c0 * eos.c0 / eos.gamma0;
+  if (eos.sublimation < 0.25 * by_sound || eos.sublimation > 1.5 * by_sound)
+    out.push_back({"sublimation-energy " + number(eos.sublimation / 1e6, "MJ/kg") + " is " +
+                       number(eos.sublimation / by_sound, "") + " times c0^2/gamma0",
+                   "metals have 0.4 to 1.0; is it given per mole?", "eos.sublimation-energy"});
 }
 
 /// Near rest p = A mu + B mu^2 is a Hugoniot of slope s = (1 + B/A)/2.

@@ -112,12 +112,21 @@ double least_wall_sound_squared(const Model& eos) {
   return 0.05 * c0 * c0;
 }
 
-/// Least c^2 that wave speeds use [m2/s2]; states below are counted. A gas goes on expanding where a solid
-/// would have broken, and its speed of sound falls with it.
+/// Whether matter of this kind goes on expanding where a solid would have broken: gases, and what evaporates.
+template <class Model>
+bool evaporates(const Model& eos) {
+  if constexpr (requires { eos.evaporates(); })
+    return eos.evaporates();
+  else
+    return is_fluid<Model>();
+}
+
+/// Least c^2 that wave speeds use [m2/s2]; states below are counted. In a vapour that expands the speed of
+/// sound falls with it.
 template <class Model>
 double least_sound_squared(const Model& eos) {
   const double c0 = bulk_sound_speed(eos);
-  return (is_fluid<Model>() ? 1e-6 : 0.05) * c0 * c0;
+  return (evaporates(eos) ? 1e-6 : 0.05) * c0 * c0;
 }
 inline double least_sound_squared(const Eos& eos) {
   return std::visit([](const auto& model) { return least_sound_squared(model); }, eos);

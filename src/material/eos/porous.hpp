@@ -101,6 +101,18 @@ struct Porous {
     return nullptr;
   }
 
+  /// Whether its solid has a vapour that goes on expanding.
+  bool evaporates() const {
+    return std::visit(
+        [](const auto& m) {
+          if constexpr (requires { m.evaporates(); })
+            return m.evaporates();
+          else
+            return false;
+        },
+        solid);
+  }
+
   /// alpha of matter that has lost `crushed` of its distension: what rounding leaves beyond its bounds is
   /// cut.
   double distension(double crushed) const { return std::clamp(alpha0 - crushed, 1.0, alpha0); }

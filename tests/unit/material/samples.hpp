@@ -22,10 +22,9 @@ inline std::vector<MieGruneisen> of(const MieGruneisen&) {
 inline std::vector<LinearEos> of(const LinearEos&) { return {{8930, 130e9}, {1000, 2.2e9}}; }
 
 inline std::vector<MieGruneisenCubic> of(const MieGruneisenCubic&) {
-  return {{8930, 3940, 1.489, 0, 0, 2.02, .47},
-          {11340, 2006, 1.429, .8506, -1.64, 2.74, .54},
-          {2703, 5240, 1.40, 0, 0, 1.97, .48},
-          {998, 1480, 2.56, -1.986, .2268, .5, 0}};
+  return {{8930, 3940, 1.489, 0, 0, 2.02, .47},         {11340, 2006, 1.429, .8506, -1.64, 2.74, .54},
+          {2703, 5240, 1.40, 0, 0, 1.97, .48},          {998, 1480, 2.56, -1.986, .2268, .5, 0},
+          {8930, 3940, 1.489, 0, 0, 2.02, .47, 5.31e6}, {998, 1480, 2.56, -1.986, .2268, .5, 0, 2.44e6, .33}};
 }
 inline std::vector<Tillotson> of(const Tillotson&) {
   return {{2700, .5, 1.63, 75.2e9, 65e9, 5e6, 5, 5, 3e6, 13.9e6},

@@ -119,6 +119,28 @@ TYPED_TEST(Fracture, BlocksAndThreadsDoNotMatter) {
   EXPECT_EQ(one.cells(1), other.cells(1));
 }
 
+/// A cell of failed matter far within a body, thinner than what stencils use elsewhere, in the last cell of a
+/// block that a surface is near: the block beside has none, and looks at no roles. Both must see the same.
+TEST(Fracture, ThinMatterAtTheEdgeOfABlockKeepsItsMass) {
+  using C = Components<1>;
+  constexpr double dx = 0.1 * mm;
+  auto c = case_of(domain_of(Geometry::line, {-10 * dx, 0, 0}, {110 * dx, 0, 0}, Boundary::outflow), dx,
+                   {body_of("b", box_shape({0, 0, 0}, {100 * dx, 0, 0}))});
+  c.mesh.block = 16;
+  TestRun<1> run(c, {breaking(1e9)});
+  auto& near = run.state.bodies[0].at(1);
+  ASSERT_TRUE(near.near_surface);
+  ASSERT_FALSE(run.state.bodies[0].at(2).near_surface);
+  const std::size_t n = near.volume.size(), k = 15;
+  for (std::size_t q = 0; q < C::contents; ++q) near.contents[q * n + k] = 0;
+  const double mass = 5e-4 * 2700 * near.volume[k];
+  near.contents[k] = near.contents[C::damage * n + k] = mass;
+  near.contents[C::energy * n + k] = 1e6 * mass;
+  run.start[0] = run.totals(0);
+  run.steps(8);
+  EXPECT_LT(run.imbalance(0, 1000), 1e-14);
+}
+
 /// An aluminium sphere of 4 mm at 6 km/s on a block, which breaks up and flies apart over many blocks of
 /// cells: budgets close, and hardly a state has to be replaced.
 TEST(FractureAtHypervelocity, BudgetsClose) {
