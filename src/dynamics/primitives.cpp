@@ -118,8 +118,8 @@ RECOIL_MULTIVERSION void row_primitives(const EosModel& eos, std::size_t first, 
 enum class Averaged : std::uint8_t { no, yes, kept };
 
 /// What a donor is averaged by: its volume is above `least` (by column) and above `of_old` times that at the
-/// start of the step, its density lies between `thinnest` and `densest` [kg/m3]. All are, where phi [m] is at
-/// most `within`, as in blocks that no surface is near.
+/// start of the step, its density lies between `thinnest` and `densest` [kg/m3]. Any density will do where
+/// phi [m] is at most `within`, as in blocks that no surface is near.
 struct AveragedRow {
   const std::uint8_t* role;
   const double *volume, *volume_old, *mass, *phi, *least;
@@ -131,10 +131,11 @@ RECOIL_MULTIVERSION void find_averaged(AveragedRow row, int count, Averaged* to)
 #pragma GCC ivdep
   for (int c = 0; c < count; ++c) {
     const double volume = row.volume[c], rho = row.mass[c] / volume;
-    const bool donor = (row.role[c] & donates) != 0, good = (volume > row.of_old * row.volume_old[c]) &
-                                                            (volume > row.least[c]) & (rho > row.thinnest) &
-                                                            (rho < row.densest);
-    to[c] = !donor ? Averaged::no : good | (row.phi[c] <= row.within) ? Averaged::yes : Averaged::kept;
+    const bool donor = (row.role[c] & donates) != 0,
+               good = (volume > row.of_old * row.volume_old[c]) & (volume > row.least[c]) &
+                      (rho > row.thinnest) & (rho < row.densest),
+               deep = (row.phi[c] <= row.within) & (rho == rho);
+    to[c] = !donor ? Averaged::no : good | deep ? Averaged::yes : Averaged::kept;
   }
 }
 

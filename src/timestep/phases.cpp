@@ -59,7 +59,8 @@ void swap_phi(StepRun<Dim>& step) {
 
 template <int Dim>
 void average_states(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"average states", {}, contents | volume, role | average | stencil};
+  static constexpr FieldAccess access{
+      "average states", {}, contents | volume | phi, role | average | stencil};
   step.queue_each_body(StepPhase::averages, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     choose_roles(step.state(), body, slot, step.counters(slot));
     average_primitives(step.state(), body, slot, step.counters(slot));
@@ -69,7 +70,7 @@ void average_states(StepRun<Dim>& step) {
 template <int Dim>
 void refresh_averages(StepRun<Dim>& step, double old_weight) {
   static constexpr FieldAccess access{
-      "refresh averages", {}, contents | volume | contents_old | volume_old | role, average | stencil};
+      "refresh averages", {}, contents | volume | contents_old | volume_old | role | phi, average | stencil};
   step.queue_each_body(StepPhase::averages, access, [&step, old_weight](Body<Dim>& body, int slot, Scratch&) {
     average_primitives(step.state(), body, slot, step.counters(slot),
                        old_weight > 0 ? AveragesOf::mean : AveragesOf::stage);

@@ -22,9 +22,10 @@ struct States : testing::Test {
   Grid<dim> grid = make_test_grid<dim>(12, 6, Edge::outflow);
   Counters counters;
 
-  /// A body that fills the domain, with one state in all cells.
-  State<dim> uniform(const Primitives<dim>& w) {
-    auto state = make_test_state<dim>(grid, {[](const Vec<dim>&) { return -100.0; }}, material);
+  /// A body that fills the domain, with one state in all cells, as far from its surface as told.
+  State<dim> uniform(const Primitives<dim>& w, double cells_from_surface = 4) {
+    const double phi = -cells_from_surface * grid.dx;
+    auto state = make_test_state<dim>(grid, {[phi](const Vec<dim>&) { return phi; }}, material);
     cut_all(state);
     fill_body(state, 0, per_volume<dim>(material, w));
     return state;
@@ -95,6 +96,27 @@ TYPED_TEST(States, RolesFollowTheVolume) {
   set_piece(b, 2, full, thin);
   choose_roles(state, state.bodies[0], 0, this->counters);
   EXPECT_EQ(b.role[2], 0);
+  EXPECT_EQ(this->counters.fragments_too_thin, 1);
+}
+
+/// Far from every surface thin matter keeps its value, as in blocks that no surface is near: a cell there
+/// without a value would be unknown to the block beside.
+TYPED_TEST(States, ThinMatterFarFromSurfacesHasAValue) {
+  constexpr int dim = TestFixture::dim;
+  const auto w = some_primitives<dim>(this->material);
+  auto thin = w;
+  thin[0] *= 0.1;
+  for (const double cells : {far_cells - 0.01, far_cells}) {
+    auto state = this->uniform(w, cells);
+    auto& b = state.bodies[0].at(0);
+    b.near_surface = true;
+    set_piece(b, 2, this->grid.dx_power(dim), per_volume<dim>(this->material, thin));
+    choose_roles(state, state.bodies[0], 0, this->counters);
+    average_primitives(state, state.bodies[0], 0, this->counters);
+    const bool far = cells >= far_cells;
+    EXPECT_EQ(b.role[2], far ? donates | regular | valued : 0);
+    EXPECT_EQ(std::abs(b.average[2] / thin[0] - 1) < 1e-12, far);
+  }
   EXPECT_EQ(this->counters.fragments_too_thin, 1);
 }
 
