@@ -143,10 +143,10 @@ template <int Dim>
 
 /// stress_rate() of a row of cells.
 template <int Dim>
-RECOIL_MULTIVERSION void stress_rates(double g, int count, const double* trace, const double* value,
+RECOIL_MULTIVERSION void stress_rates(const double* g, int count, const double* trace, const double* value,
                                       std::size_t wide, const double* L, double* rate, std::size_t n) {
 #pragma GCC ivdep
-  for (int i = 0; i < count; ++i) stress_rate<Dim>(g, trace[i], value + i, wide, L + i, rate + i, n);
+  for (int i = 0; i < count; ++i) stress_rate<Dim>(g[i], trace[i], value + i, wide, L + i, rate + i, n);
 }
 
 /// A face of a finer block at its place in a side.
@@ -244,7 +244,8 @@ void add_walls(BodyBlock<Dim>& b, Work<Dim>& w, double dt) {
 }
 
 template <int Dim>
-void add_sources(const BodyBlock<Dim>& b, double g, Work<Dim>& w, Scratch& scratch) {
+void add_sources(const Body<Dim>& body, int slot, Work<Dim>& w, Scratch& scratch) {
+  const BodyBlock<Dim>& b = body.at(slot);
   if (!w.whole) borrow_wall_values(b, w);
   double* trace = scratch.take<double>(w.n);
   for (std::size_t k = 0; k < w.n; ++k) {
@@ -254,27 +255,22 @@ void add_sources(const BodyBlock<Dim>& b, double g, Work<Dim>& w, Scratch& scrat
   }
   if constexpr (Dim == 2)
     if (w.grid.axisymmetric) axisymmetric_sources(b, w);
-  if (!(g > 0)) return;
+  if (!has_strength(body.material.strength)) return;
   Box<Dim> rows = w.cells;
   rows.hi[0] = rows.lo[0] + 1;
   const int width = w.cells.extent(0);
   for_each(rows, [&](const Index<Dim>& r) {
     const double* value = w.primitive + w.window.at(r);
     const auto k = w.cells.at(r);
-    if (w.shear) {
-      const double* shear = w.shear + w.window.at(r);
-      for (int i = 0; i < width; ++i)
-        stress_rate<Dim>(shear[i], trace[k + i], value + i, w.wide, w.gradient + k + i, w.rate + k + i, w.n);
-      return;
-    }
-    stress_rates<Dim>(g, width, trace + k, value, w.wide, w.gradient + k, w.rate + k, w.n);
+    stress_rates<Dim>(w.shear + w.window.at(r), width, trace + k, value, w.wide, w.gradient + k, w.rate + k,
+                      w.n);
   });
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                   \
   template void meet_other_levels<Dim>(const Faces<Dim>&, int, const Work<Dim>&); \
   template void add_walls<Dim>(BodyBlock<Dim>&, Work<Dim>&, double);              \
-  template void add_sources<Dim>(const BodyBlock<Dim>&, double, Work<Dim>&, Scratch&);
+  template void add_sources<Dim>(const Body<Dim>&, int, Work<Dim>&, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

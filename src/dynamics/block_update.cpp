@@ -31,9 +31,31 @@ RECOIL_MULTIVERSION void keep_valued(std::size_t n, const std::uint8_t* role, do
   for (std::size_t k = 0; k < n; ++k) value[k] = (role[k] & valued) != 0 ? value[k] : missing;
 }
 
+/// Whether cells that a block reads may lack a value: in blocks near a surface, and in those of other
+/// processes, whose surfaces are not known. Both blocks at a face must know of the same.
+template <int Dim>
+bool may_lack_values(const Mesh<Dim>& mesh, const Body<Dim>& body, int slot) {
+  if (body.at(slot).near_surface) return true;
+  if (mesh.block(slot).level > 0) return false;  // no surface is there
+  return std::ranges::any_of(mesh.block(slot).neighbour, [&](int s) {
+    return s >= 0 && body.present(s) && (s >= mesh.local() || body.at(s).near_surface);
+  });
+}
+
+/// Which cells of the window have a value, into Work::role; nothing where all have, far from a surface.
+template <int Dim>
+void gather_roles(const State<Dim>& state, const Body<Dim>& body, int slot, Work<Dim>& w, Scratch& scratch) {
+  if (!may_lack_values(state.mesh, body, slot)) return;
+  w.role = scratch.take<std::uint8_t>(w.wide);
+  w.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
+                  Beyond::extend, w.role);
+  const bool all = std::all_of(w.role, w.role + w.wide, [](std::uint8_t r) { return (r & valued) != 0; });
+  if (all && !body.at(slot).near_surface) w.role = nullptr;
+}
+
 /// The first `count` primitives of the window's cells; the others are zero.
 template <std::size_t count, int Dim>
-void gather_primitives(const Body<Dim>& body, int slot, double rho0, Work<Dim>& w, Scratch& scratch) {
+void gather_primitives(const Body<Dim>& body, double rho0, Work<Dim>& w, Scratch& scratch) {
   using C = Components<Dim>;
   w.held = count;
   w.primitive = scratch.take<double>(w.wide * C::primitives + vector_length);
@@ -46,15 +68,11 @@ void gather_primitives(const Body<Dim>& body, int slot, double rho0, Work<Dim>& 
   }
   w.window.gather([&](int s) { return body.present(s) ? body.at(s).stencil.data() : nullptr; }, components,
                   Beyond::extend, w.primitive);
-  if (body.at(slot).near_surface) {
-    w.role = scratch.take<std::uint8_t>(w.wide);
-    w.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; },
-                    std::uint8_t{0}, Beyond::extend, w.role);
-    for (std::size_t c = 0; c < count; ++c) {
-      const double missing = c == C::rho ? rho0 : 0.0;
-      double* value = w.primitive + c * w.wide;
-      keep_valued(w.wide, w.role, missing, value);
-    }
+  if (!w.role) return;
+  for (std::size_t c = 0; c < count; ++c) {
+    const double missing = c == C::rho ? rho0 : 0.0;
+    double* value = w.primitive + c * w.wide;
+    keep_valued(w.wide, w.role, missing, value);
   }
 }
 
@@ -76,10 +94,11 @@ void find_failed(const AnyEos& eos, Work<Dim>& w, Scratch& scratch) {
     w.failed[k] = has_void(k) ? with_void : damage[k] >= failed_damage ? failed_matter : intact;
 }
 
-/// The shear modulus of the window's cells, where it follows the state.
+/// The shear modulus of the window's cells.
 template <int Dim>
 void find_shear_moduli(const Body<Dim>& body, Work<Dim>& w, Scratch& scratch) {
-  w.shear = scratch.take<double>(w.wide + vector_length);
+  w.shear = scratch.take_filled<double>(w.wide + vector_length, shear_modulus(body.material));
+  if (!modulus_follows(body.material.strength)) return;
   for (std::size_t k = 0; k < w.wide; ++k) {
     Primitives<Dim> v;
     for (std::size_t c = 0; c < v.size(); ++c) v[c] = w.primitive[c * w.wide + k];
@@ -88,15 +107,16 @@ void find_shear_moduli(const Body<Dim>& body, Work<Dim>& w, Scratch& scratch) {
 }
 
 template <int Dim>
-void gather_values(const Body<Dim>& body, int slot, const AnyEos& eos, double shear_modulus, Work<Dim>& w,
+void gather_values(const State<Dim>& state, const Body<Dim>& body, int slot, const AnyEos& eos, Work<Dim>& w,
                    Scratch& scratch) {
   using C = Components<Dim>;
   w.fails = can_fail(body.material.damage);
   w.flattens = has_tension(body.material.eos);  // not in gases (docs/decisions/0046)
+  gather_roles(state, body, slot, w, scratch);
   if (w.fails || eos.barotropic)
-    gather_primitives<C::primitives>(body, slot, eos.rho0, w, scratch);
+    gather_primitives<C::primitives>(body, eos.rho0, w, scratch);
   else
-    gather_primitives<C::damage>(body, slot, eos.rho0, w, scratch);
+    gather_primitives<C::damage>(body, eos.rho0, w, scratch);
   if (w.fails) find_failed(eos, w, scratch);
   w.impedance = scratch.take<double>(w.wide + vector_length);
   const double least = least_sound_squared(eos);
@@ -104,9 +124,8 @@ void gather_values(const Body<Dim>& body, int slot, const AnyEos& eos, double sh
   eos.sound_speeds_squared(rho, w.primitive + C::p * w.wide, w.primitive + C::crushed * w.wide, w.wide,
                            w.impedance);
   const auto count = static_cast<int>(w.wide);
-  if (modulus_follows(body.material.strength)) find_shear_moduli(body, w, scratch);
-  detail::find_impedances(count, rho, least, w.shear ? 0.0 : shear_modulus, w.impedance);
-  if (w.shear) detail::add_shear_impedance(count, w.shear, rho, w.impedance);
+  find_shear_moduli(body, w, scratch);
+  detail::find_impedances(count, rho, least, w.shear, w.impedance);
 }
 
 /// Says where MP5 reconstructs: in matter that never yields, where the cell's own average stands in the
@@ -133,7 +152,7 @@ void find_never_yielding(const Body<Dim>& body, Work<Dim>& w, Scratch& scratch) 
 ///   |dalpha/dp| = n (alpha - 1)/(p_s - p) along the curve.
 /// Their impedance stands in for that of sound in the cells that are on the curve and are compressed.
 template <int Dim>
-void soften_crushing(const Porous& eos, double shear_modulus, Work<Dim>& w) {
+void soften_crushing(const Porous& eos, Work<Dim>& w) {
   using C = Components<Dim>;
   constexpr double on_curve = 0.97;  // of the pressure there
   const auto at = [&](int c, std::ptrdiff_t k) {
@@ -149,9 +168,10 @@ void soften_crushing(const Porous& eos, double shear_modulus, Work<Dim>& w) {
     const double left = std::pow((alpha - 1) / (eos.alpha0 - 1), 1 / eos.exponent),
                  curve = eos.compaction - (eos.compaction - eos.elastic_limit) * left;
     if (!(divergence < 0) || p < on_curve * curve) return;
-    const double z = w.impedance[k], elastic = z * z / rho - 4.0 / 3 * shear_modulus;  // rho c_e^2
+    const double z = w.impedance[k], shear = 4.0 / 3 * w.shear[k],
+                 elastic = z * z / rho - shear;  // rho c_e^2
     const double slope = (elastic - p) / alpha * eos.exponent * (alpha - 1) / (eos.compaction - p);
-    w.impedance[k] = std::sqrt(rho * (elastic / (1 + std::max(slope, 0.0)) + 4.0 / 3 * shear_modulus));
+    w.impedance[k] = std::sqrt(rho * (elastic / (1 + std::max(slope, 0.0)) + shear));
   });
 }
 
@@ -185,29 +205,28 @@ void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slo
             Scratch& scratch) {
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
-  const double g = shear_modulus(body.material);
   Work<Dim> w{state.grid(slot), Window<Dim>(state.mesh, slot, detail::face_reach, b.matter), b.matter};
   const detail::LevelSides<Dim> sides{state.mesh, body, slot};
   if (!state.mesh.is_among_equals(slot)) w.sides = &sides;
   w.n = w.cells.size();
   w.wide = w.window.size();
   w.whole = cells == Cells::whole;
-  gather_values(body, slot, eos, g, w, scratch);
-  if (Scheme::by_cells && eos.porous) soften_crushing(*eos.porous, g, w);  // LLF needs the fastest signal
+  gather_values(state, body, slot, eos, w, scratch);
+  if (Scheme::by_cells && eos.porous) soften_crushing(*eos.porous, w);  // LLF needs the fastest signal
   if (Shear && Scheme::by_cells && !w.whole && !eos.porous) find_never_yielding(body, w, scratch);
   if (faces == FaceTime::midstep) detail::find_half_step(body, dt, w, scratch);
   w.rate = scratch.take<double>(w.n * C::contents);  // set by the sweeps, as the next two
   w.gradient = scratch.take<double>(w.n * Dim * Dim);
   w.radial = scratch.take<double>(state.grid(slot).axisymmetric ? w.n * 2 : 1);
   const double booked = weight * dt;
-  detail::sweep<Dim, 0, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
+  detail::sweep<Dim, 0, Shear, Scheme>(eos, b.geometry, w, booked, edges, counters, scratch);
   if constexpr (Dim > 1)
-    detail::sweep<Dim, 1, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
+    detail::sweep<Dim, 1, Shear, Scheme>(eos, b.geometry, w, booked, edges, counters, scratch);
   if constexpr (Dim > 2)
-    detail::sweep<Dim, 2, Shear, Scheme>(eos, g, b.geometry, w, booked, edges, counters, scratch);
+    detail::sweep<Dim, 2, Shear, Scheme>(eos, b.geometry, w, booked, edges, counters, scratch);
   if (faces == FaceTime::midstep) detail::move_to_midstep(w);
   if (!w.whole) detail::add_walls(b, w, dt);
-  detail::add_sources(b, g, w, scratch);
+  detail::add_sources(body, slot, w, scratch);
   if (w.whole) drop_outside(w);
   add_rates(b, w, dt);
 }

@@ -29,7 +29,7 @@ struct Work {
   std::size_t n = 0, wide = 0;  // of those cells, of the window's
   std::size_t held = 0;         // primitives that may differ from zero: the first ones
   double *primitive = nullptr, *impedance = nullptr, *stress = nullptr;
-  double* shear = nullptr;                 // shear modulus; null: the same in every state
+  double* shear = nullptr;                 // shear modulus
   std::uint8_t* role = nullptr;            // null where every cell has a value
   bool fails = false;                      // the matter can fail
   bool flattens = false;                   // values at faces are flattened in strong shocks

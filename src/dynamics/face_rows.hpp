@@ -43,8 +43,7 @@ inline Span both(const Span& a, const Span& b) {
 
 /// Faces across axis 0: a row of cells holds both sides of its row of faces.
 template <int Dim, bool Shear>
-void solve_along_rows(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
-                      Counters& counters) {
+void solve_along_rows(const AnyEos& eos, const Work<Dim>& w, const Faces<Dim>& out, Counters& counters) {
   FaceValues<Dim> low, high;
   Box<Dim> rows = out.box;
   rows.hi[0] = rows.lo[0] + 1;
@@ -54,12 +53,12 @@ void solve_along_rows(const AnyEos& eos, double g, const Work<Dim>& w, const Fac
     for (int from = open.lo; from < open.hi; from += longest_row - 1) {
       const int count = std::min(open.hi - from, longest_row - 1);
       Row<Dim> row = w.row(at_cell + from - 1, 1, whole_vectors(count + 1));
-      reconstruct<Dim, 0, Shear>(eos, g, row, 0, low, high);
+      reconstruct<Dim, 0, Shear>(eos, row, 0, low, high);
       ++row.first;
       row.count = count;
       move_to_open_parts(w, out.partly, count, at_face + from, at_cell + from, 1, high, 0, low, 1);
       counters.first_order_faces +=
-          solve_faces<Dim, 0, Shear>(eos, g, row, high, 0, low, 1, out.flux_at(at_face + from));
+          solve_faces<Dim, 0, Shear>(eos, row, high, 0, low, 1, out.flux_at(at_face + from));
     }
   });
 }
@@ -67,8 +66,7 @@ void solve_along_rows(const AnyEos& eos, double g, const Work<Dim>& w, const Fac
 /// Faces across another axis: row by row along it; what a row of cells has at its high faces waits for the
 /// next.
 template <int Dim, int Axis, bool Shear>
-void solve_across_rows(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
-                       Counters& counters) {
+void solve_across_rows(const AnyEos& eos, const Work<Dim>& w, const Faces<Dim>& out, Counters& counters) {
   FaceValues<Dim> low, high_a, high_b;
   FaceValues<Dim>*high = &high_a, *behind = &high_b;
   const std::ptrdiff_t step = w.window.stride(Axis);
@@ -87,13 +85,13 @@ void solve_across_rows(const AnyEos& eos, double g, const Work<Dim>& w, const Fa
             layer + 1 < layers ? open_span(out.area + at_face + (layer + 1) * next, count) : Span{};
         const Span all = both(open, ahead);
         if (!all.empty())
-          reconstruct<Dim, Axis, Shear>(eos, g, w.row(first + all.lo, step, whole_vectors(all.hi - all.lo)),
+          reconstruct<Dim, Axis, Shear>(eos, w.row(first + all.lo, step, whole_vectors(all.hi - all.lo)),
                                         all.lo, low, *high);
         if (!open.empty()) {
           const int n = open.hi - open.lo, face = at_face + layer * next + open.lo;
           move_to_open_parts(w, out.partly, n, face, first + open.lo, step, *behind, open.lo, low, open.lo);
           counters.first_order_faces += solve_faces<Dim, Axis, Shear>(
-              eos, g, w.row(first + open.lo, step, n), *behind, open.lo, low, open.lo, out.flux_at(face));
+              eos, w.row(first + open.lo, step, n), *behind, open.lo, low, open.lo, out.flux_at(face));
         }
         std::swap(high, behind);
         open = ahead;
@@ -104,8 +102,7 @@ void solve_across_rows(const AnyEos& eos, double g, const Work<Dim>& w, const Fa
 
 /// Faces of a scheme that knows rows of faces only.
 template <int Dim, int Axis, bool Shear, class Scheme>
-void solve_row_by_row(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
-                      Counters& counters) {
+void solve_row_by_row(const AnyEos& eos, const Work<Dim>& w, const Faces<Dim>& out, Counters& counters) {
   const std::ptrdiff_t step = w.window.stride(Axis);
   Box<Dim> rows = out.box;
   rows.hi[0] = rows.lo[0] + 1;
@@ -115,7 +112,7 @@ void solve_row_by_row(const AnyEos& eos, double g, const Work<Dim>& w, const Fac
     for (int from = open.lo; from < open.hi; from += longest_row) {
       const Row<Dim> row = w.row(at_cell + from, step, std::min(open.hi - from, longest_row));
       counters.first_order_faces +=
-          Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out.flux_at(at_face + from));
+          Scheme::template fluxes<Dim, Axis, Shear>(eos, row, out.flux_at(at_face + from));
     }
   });
 }

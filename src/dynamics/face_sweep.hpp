@@ -18,15 +18,15 @@ namespace recoil::detail {
 struct WenoHllc {
   static constexpr bool by_cells = true;  // reconstructs once per cell for both its faces
   template <int Dim, int Axis, bool Shear>
-  static int fluxes(const AnyEos& eos, double g, const Row<Dim>& in, const FaceFlux<Dim>& out) {
-    return face_fluxes<Dim, Axis, Shear>(eos, g, in, out);
+  static int fluxes(const AnyEos& eos, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+    return face_fluxes<Dim, Axis, Shear>(eos, in, out);
   }
 };
 struct EnoLlf {
   static constexpr bool by_cells = false;
   template <int Dim, int Axis, bool Shear>
-  static int fluxes(const AnyEos& eos, double g, const Row<Dim>& in, const FaceFlux<Dim>& out) {
-    return face_fluxes_llf<Dim, Axis, Shear>(eos, g, in, out);
+  static int fluxes(const AnyEos& eos, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+    return face_fluxes_llf<Dim, Axis, Shear>(eos, in, out);
   }
 };
 
@@ -45,7 +45,7 @@ void count_poor_face(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step,
 
 /// A face whose stencil lacks values: the nearest value stands in for those beyond it.
 template <int Dim, int Axis, bool Shear, class Scheme>
-void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step,
+void poor_face(const AnyEos& eos, const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step,
                const FaceFlux<Dim>& out, Counters& counters) {
   using C = Components<Dim>;
   std::array<std::ptrdiff_t, 6> from{};
@@ -79,17 +79,17 @@ void poor_face(const AnyEos& eos, double g, const Work<Dim>& w, std::ptrdiff_t a
     stress[s] = w.stress[from[s]];
     impedance[s] = w.impedance[from[s]];
     if (w.ahead.loading) loading[s] = w.ahead.loading[from[s]];
-    if (w.shear) shear[s] = w.shear[from[s]];
+    shear[s] = w.shear[from[s]];
   }
   HalfStep ahead{w.ahead.dt, w.ahead.per_dx, loading.data()};
   ahead.change[Axis] = change.data();
   if (w.ahead.across) ahead.across = across.data();
   Row<Dim> row{value.data(), stress.data(), impedance.data(), 6, 3, 1, 1, ahead.dt > 0 ? &ahead : nullptr,
                w.fails};
-  if (w.shear) row.shear = shear.data();
+  row.shear = shear.data();
   row.role = role.data();
   row.flattens = w.flattens;
-  counters.first_order_faces += Scheme::template fluxes<Dim, Axis, Shear>(eos, g, row, out);
+  counters.first_order_faces += Scheme::template fluxes<Dim, Axis, Shear>(eos, row, out);
 }
 
 /// Of every face of a row: whether all cells of its stencil have a value.
@@ -114,7 +114,7 @@ inline bool any_closed(const double* area, int count) {
 
 /// Nothing passes closed faces; those whose stencil lacks values are done on their own.
 template <int Dim, int Axis, bool Shear, class Scheme>
-void replace_inadmissible_faces(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+void replace_inadmissible_faces(const AnyEos& eos, const Work<Dim>& w, const Faces<Dim>& out,
                                 Counters& counters) {
   using C = Components<Dim>;
   static_assert(face_reach == 3, "cells that find_complete() looks at");
@@ -133,7 +133,7 @@ void replace_inadmissible_faces(const AnyEos& eos, double g, const Work<Dim>& w,
         for (std::size_t c = 0; c < C::contents; ++c) out.flux.flux[c * out.flux.faces + face] = 0;
         for (std::size_t d = 0; d < Dim; ++d) out.flux.velocity[d * out.flux.faces + face] = 0;
       } else if (!all && complete[static_cast<std::size_t>(i)] == 0 && !between_voids(w, at_cell + i, step)) {
-        poor_face<Dim, Axis, Shear, Scheme>(eos, g, w, at_cell + i, step, out.flux_at(at_face + i), counters);
+        poor_face<Dim, Axis, Shear, Scheme>(eos, w, at_cell + i, step, out.flux_at(at_face + i), counters);
       }
     }
   });
@@ -223,7 +223,7 @@ void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booke
 /// Fluxes through all faces across one axis, their open areas, and what they add to the block's cells.
 /// @param booked seconds with which what passes the edges of the domain is booked in `edges`.
 template <int Dim, int Axis, bool Shear, class Scheme>
-void sweep(const AnyEos& eos, double g, const Geometry<Dim>& geometry, Work<Dim>& w, double booked,
+void sweep(const AnyEos& eos, const Geometry<Dim>& geometry, Work<Dim>& w, double booked,
            ExactAccount<Dim>& edges, Counters& counters, Scratch& scratch) {
   const Scratch::Frame frame(scratch);
   Box<Dim> faces = w.cells;
@@ -233,7 +233,7 @@ void sweep(const AnyEos& eos, double g, const Geometry<Dim>& geometry, Work<Dim>
   double* flux = scratch.take<double>(nf * Components<Dim>::contents);
   double* velocity = scratch.take<double>(nf * Dim);
   find_normal_stress<Dim, Axis>(w, scratch);
-  if (Dim > 1 && w.ahead.dt > 0) find_across<Dim, Axis>(g, w, scratch);
+  if (Dim > 1 && w.ahead.dt > 0) find_across<Dim, Axis>(w, scratch);
   if (w.whole)
     whole_areas(w, faces, Axis, area);
   else
@@ -243,17 +243,17 @@ void sweep(const AnyEos& eos, double g, const Geometry<Dim>& geometry, Work<Dim>
       w.whole ? PartlyOpen<Dim>{} : find_partly_open(w.window, geometry, Axis, faces, scratch);
   const Faces<Dim> out{faces, area, {flux, velocity, nf, 0}, partly};
   if constexpr (!Scheme::by_cells)
-    solve_row_by_row<Dim, Axis, Shear, Scheme>(eos, g, w, out, counters);
+    solve_row_by_row<Dim, Axis, Shear, Scheme>(eos, w, out, counters);
   else if constexpr (Axis == 0)
-    solve_along_rows<Dim, Shear>(eos, g, w, out, counters);
+    solve_along_rows<Dim, Shear>(eos, w, out, counters);
   else
-    solve_across_rows<Dim, Axis, Shear>(eos, g, w, out, counters);
-  replace_inadmissible_faces<Dim, Axis, Shear, Scheme>(eos, g, w, out, counters);
+    solve_across_rows<Dim, Axis, Shear>(eos, w, out, counters);
+  replace_inadmissible_faces<Dim, Axis, Shear, Scheme>(eos, w, out, counters);
   PartedFace<Dim>* parted = nullptr;
   int apart = 0;
   if (w.failed) {
     parted = scratch.take<PartedFace<Dim>>(nf);
-    apart = solve_failed_faces<Dim, Axis, Shear>(eos, g, w, out, parted);
+    apart = solve_failed_faces<Dim, Axis, Shear>(eos, w, out, parted);
   }
   if (w.sides) meet_other_levels(out, Axis, w);
 

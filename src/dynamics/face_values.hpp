@@ -52,7 +52,7 @@ struct Row {
   bool fails = false;                            // the matter can fail, and carries its damage
   const std::uint8_t* failed = nullptr;          // FailedCell of the window's cells; null: nothing has failed
   const std::uint8_t* never_yields = nullptr;    // 1 in cells of matter that never yields; null: in none
-  const double* shear = nullptr;                 // [cells] shear modulus; null: the same in every state
+  const double* shear = nullptr;                 // [cells] shear modulus
   const std::uint8_t* beside_contact = nullptr;  // 1 in cells whose faces lose less; null: in none
   const std::uint8_t* role = nullptr;            // Role of the cells; null: all are regular
   bool flattens = false;                         // values at faces are flattened in strong shocks

@@ -25,7 +25,7 @@ struct PartedFace {
 template <int Dim>
 struct CellSide {
   Primitives<Dim> value;
-  double stress = 0, sound = 0;  // sigma_nn, c_L
+  double stress = 0, sound = 0, shear = 0;  // sigma_nn, c_L, shear modulus
 
   double impedance() const { return value[0] * sound; }
 };
@@ -36,15 +36,16 @@ CellSide<Dim> side_of(const AnyEos& eos, const StateBounds& bounds, const Work<D
   CellSide<Dim> s;
   for (std::size_t c = 0; c < s.value.size(); ++c) s.value[c] = w.primitive[c * w.wide + k];
   s.stress = w.stress[k];
+  s.shear = w.shear[k];
   s.sound = bounds.longitudinal_speed(
-      s.value[C::rho], eos.sound_speed_squared(s.value[C::rho], s.value[C::p], s.value[C::crushed]));
+      s.value[C::rho], eos.sound_speed_squared(s.value[C::rho], s.value[C::p], s.value[C::crushed]), s.shear);
   return s;
 }
 
 /// Velocity of a side that nothing holds: u -+ sigma/Z, v -+ tau/Z_s. @param out +1 for the lower side of the
 /// face, -1 for the upper one.
 template <int Dim, int Axis, bool Shear>
-Vec<Dim> parting_velocity(const CellSide<Dim>& s, double g, double out) {
+Vec<Dim> parting_velocity(const CellSide<Dim>& s, double out) {
   using C = Components<Dim>;
   Vec<Dim> u;
   for (int d = 0; d < Dim; ++d) {
@@ -52,7 +53,7 @@ Vec<Dim> parting_velocity(const CellSide<Dim>& s, double g, double out) {
     if (d == Axis)
       u[d] -= out * s.stress / s.impedance();
     else if (Shear)
-      u[d] -= out * s.value[C::s + C::stress(Axis, d)] / std::sqrt(s.value[C::rho] * g);
+      u[d] -= out * s.value[C::s + C::stress(Axis, d)] / std::sqrt(s.value[C::rho] * s.shear);
   }
   return u;
 }
@@ -78,7 +79,7 @@ void add_free_flow(const AnyEos& eos, const Primitives<Dim>& w, const Vec<Dim>& 
 
 /// The face between two cells by their averages: HLLC with the energy of voids.
 template <int Dim, int Axis, bool Shear>
-void solve_by_averages(const AnyEos& eos, double g, const Work<Dim>& w, const CellSide<Dim>& low,
+void solve_by_averages(const AnyEos& eos, const Work<Dim>& w, const CellSide<Dim>& low,
                        const CellSide<Dim>& high, std::ptrdiff_t at, const FaceFlux<Dim>& out) {
   using C = Components<Dim>;
   FaceValues<Dim> left, right;
@@ -88,7 +89,7 @@ void solve_by_averages(const AnyEos& eos, double g, const Work<Dim>& w, const Ce
   }
   left.stress[0] = low.stress;
   right.stress[0] = high.stress;
-  solve_faces<Dim, Axis, Shear>(eos, g, w.row(at, w.window.stride(Axis), 1), left, 0, right, 0, out);
+  solve_faces<Dim, Axis, Shear>(eos, w.row(at, w.window.stride(Axis), 1), left, 0, right, 0, out);
   if (!eos.barotropic)
     *out.flux_of(C::energy) +=
         *out.flux_of(C::rho) * (*out.velocity_along(Axis) >= 0 ? low : high).value[C::extra];
@@ -119,10 +120,10 @@ bool between_voids(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step) {
 /// stencil; without any stress, each side on its own, where failed matter would bear tension.
 /// @param parted out: the faces of the second kind; @returns how many.
 template <int Dim, int Axis, bool Shear>
-int solve_failed_faces(const AnyEos& eos, double g, const Work<Dim>& w, const Faces<Dim>& out,
+int solve_failed_faces(const AnyEos& eos, const Work<Dim>& w, const Faces<Dim>& out,
                        PartedFace<Dim>* parted) {
   using C = Components<Dim>;
-  const StateBounds bounds(eos, g);
+  const StateBounds bounds(eos);
   const std::ptrdiff_t step = w.window.stride(Axis);
   int count = 0;
   for_each(out.box, [&](const Index<Dim>& i) {
@@ -139,10 +140,10 @@ int solve_failed_faces(const AnyEos& eos, double g, const Work<Dim>& w, const Fa
     if (!voids && !bears_tension<Dim, Axis>(flux)) return;
     const auto low = side_of<Dim, Axis>(eos, bounds, w, has_low ? at - step : at),
                high = side_of<Dim, Axis>(eos, bounds, w, has_high ? at : at - step);
-    solve_by_averages<Dim, Axis, Shear>(eos, g, w, low, high, at, flux);
+    solve_by_averages<Dim, Axis, Shear>(eos, w, low, high, at, flux);
     if (!failed || !bears_tension<Dim, Axis>(flux)) return;
-    const Vec<Dim> u = parting_velocity<Dim, Axis, Shear>(low, g, 1),
-                   v = parting_velocity<Dim, Axis, Shear>(high, g, -1);
+    const Vec<Dim> u = parting_velocity<Dim, Axis, Shear>(low, 1),
+                   v = parting_velocity<Dim, Axis, Shear>(high, -1);
     for (std::size_t c = 0; c < C::contents; ++c) *flux.flux_of(c) = 0;
     add_free_flow<Dim>(eos, low.value, u, low.value[C::rho] * std::max(u[Axis], 0.0), flux);
     add_free_flow<Dim>(eos, high.value, v, high.value[C::rho] * std::min(v[Axis], 0.0), flux);

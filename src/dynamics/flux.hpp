@@ -25,15 +25,6 @@ template <int Dim, int Axis, class Values>
     return w[C::s + C::stress(Axis, Axis)][i];
 }
 
-/// reconstruct_shear_waves() with the modulus of each cell.
-template <int Dim>
-void reconstruct_by_modulus(const Row<Dim>& in, const double* tau, const double* u, const double* rho,
-                            RowEnds tau_ends, RowEnds u_ends) {
-  alignas(64) double impedance[row_room];
-  for (int i = 0; i < in.count; ++i) impedance[i] = std::sqrt(rho[i] * in.shear[in.first + i]);
-  reconstruct_waves(tau, u, impedance, in.step, in.count, {}, tau_ends, u_ends);
-}
-
 /// Flattens the values at the faces of a row where a strong shock passes; see find_strong_shocks().
 template <int Dim, int Axis>
 void flatten_strong_shocks(const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
@@ -62,8 +53,7 @@ void flatten_strong_shocks(const Row<Dim>& in, int to, FaceValues<Dim>& low, Fac
 /// reconstructed, so that a wave along z is one along x turned.
 /// @param Shear false for fluids: no shear waves at all.
 template <int Dim, int Axis, bool Shear>
-void reconstruct(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, int to, FaceValues<Dim>& low,
-                 FaceValues<Dim>& high) {
+void reconstruct(const AnyEos& eos, const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
   using C = Components<Dim>;
   const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
   const auto ends = [&](int c) { return detail::RowEnds{low.value[c] + to, high.value[c] + to}; };
@@ -90,11 +80,8 @@ void reconstruct(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, in
     if (t == Axis) continue;
     const int u = C::u + t, tau = C::s + C::stress(Axis, t);
     if constexpr (Shear) {
-      if (in.shear)
-        detail::reconstruct_by_modulus(in, of(tau), of(u), of(C::rho), ends(tau), ends(u));
-      else
-        detail::reconstruct_shear_waves(of(tau), of(u), of(C::rho), shear_modulus, in.step, in.count, cells,
-                                        ends(tau), ends(u));
+      detail::reconstruct_shear_waves(of(tau), of(u), of(C::rho), in.shear + in.first, in.step, in.count,
+                                      cells, ends(tau), ends(u));
     } else {
       plain(u, detail::velocity_scale);
     }
@@ -109,7 +96,7 @@ void reconstruct(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, in
   if constexpr (Dim == 3 && Axis == 2)
     detail::reconstruct_turned(of(C::s), of(C::s + 1), in.step, in.count, cells, ends(C::s), ends(C::s + 1));
   if (in.flattens) detail::flatten_strong_shocks<Dim, Axis>(in, to, low, high);
-  if (in.ahead) detail::move_half_step<Dim, Axis, Shear>(shear_modulus, eos.barotropic, in, to, low, high);
+  if (in.ahead) detail::move_half_step<Dim, Axis, Shear>(eos.barotropic, in, to, low, high);
   for (int c = C::ep; c < static_cast<int>(in.carried()); ++c)
     detail::keep_positive(of(c), in.count, ends(c));
 }
@@ -144,12 +131,13 @@ int complete_side(const AnyEos& eos, const StateBounds& bounds, const Row<Dim>& 
                   FaceValues<Dim>& w, int from, double* sound) {
   using C = Components<Dim>;
   const double *own = in.primitive + C::rho * in.cells + in.first + shift, *rho = w.value[C::rho] + from,
-               *stress = w.stress + from, *crushed = w.value[C::crushed] + from;
+               *stress = w.stress + from, *crushed = w.value[C::crushed] + from,
+               *shear = in.shear + in.first + shift;
   double* p = w.value[C::p] + from;
 #pragma omp simd
   for (int i = 0; i < in.count; ++i) p[i] = normal_deviator<Dim, Axis>(w.value, i + from) - stress[i];
   eos.sound_speeds_squared(rho, p, crushed, static_cast<std::size_t>(in.count), sound);
-  int bad = find_longitudinal_speeds(bounds, rho, own, in.count, sound);
+  int bad = find_longitudinal_speeds(bounds, rho, own, shear, in.count, sound);
   if (bad == 0) return 0;
   for (int i = 0; i < in.count; ++i) {
     double* value = &w.value[0][i + from];
@@ -158,7 +146,8 @@ int complete_side(const AnyEos& eos, const StateBounds& bounds, const Row<Dim>& 
     for (std::size_t c = 0; c < C::primitives; ++c)
       value[c * FaceValues<Dim>::room] = in.primitive[c * in.cells + in.first + i + shift];
     w.stress[i + from] = in.stress[in.first + i + shift];
-    sound[i] = bounds.longitudinal_speed(value[0], eos.sound_speed_squared(value[0], p[i], crushed[i]));
+    sound[i] =
+        bounds.longitudinal_speed(value[0], eos.sound_speed_squared(value[0], p[i], crushed[i]), shear[i]);
   }
   return bad;
 }
@@ -201,11 +190,11 @@ void solve_along_axis(const AnyEos& eos, int count, const FaceSide<Dim>& left, c
 /// Unphysical values fall back to the cell's own state, for which `in` is read.
 /// @returns how many values fell back.
 template <int Dim, int Axis, bool Shear>
-int solve_faces(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, FaceValues<Dim>& left_values,
-                int left_from, FaceValues<Dim>& right_values, int right_from, const FaceFlux<Dim>& out) {
+int solve_faces(const AnyEos& eos, const Row<Dim>& in, FaceValues<Dim>& left_values, int left_from,
+                FaceValues<Dim>& right_values, int right_from, const FaceFlux<Dim>& out) {
   using C = Components<Dim>;
   const int count = in.count;
-  const detail::StateBounds bounds(eos, in.shear ? 0.0 : shear_modulus);
+  const detail::StateBounds bounds(eos);
   alignas(64) double sound_left[longest_row], sound_right[longest_row], inverse[longest_row];
   const int fallen =
       detail::complete_side<Dim, Axis>(eos, bounds, in, -in.step, left_values, left_from, sound_left) +
@@ -213,30 +202,20 @@ int solve_faces(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, Fac
 
   const detail::FaceSide<Dim> left{left_values, left_from, sound_left},
       right{right_values, right_from, sound_right};
-  const double *modulus = in.shear ? in.shear + in.first : nullptr,
-               *below = modulus ? modulus - in.step : nullptr;
-  if (modulus) {
-    detail::add_shear_stiffness(count, below, left.of(C::rho), sound_left);
-    detail::add_shear_stiffness(count, modulus, right.of(C::rho), sound_right);
-  }
+  [[maybe_unused]] const double *modulus = in.shear + in.first, *below = modulus - in.step;
   alignas(64) double pulls[longest_row];
   const double* pull = in.beside_contact ? detail::find_pulls(in, pulls) : nullptr;
   detail::solve_along_axis<Dim, Axis>(eos, count, left, right, pull, out, inverse);
   const detail::CarryingFlow flow{out.flux_of(C::rho), out.velocity_along(Axis), inverse};
   for (int t = 0; t < Dim; ++t) {
     if (t == Axis) continue;
-    const std::size_t v = C::u + t, tau = C::s + C::stress(Axis, t);
+    [[maybe_unused]] const std::size_t v = C::u + t, tau = C::s + C::stress(Axis, t);
     const detail::AlongFace along{out.flux_of(v), out.velocity_along(t), out.flux_of(C::energy)};
-    [[maybe_unused]] const detail::ShearSide low{left.of(C::rho), left.of(v), left.of(tau)},
-        high{right.of(C::rho), right.of(v), right.of(tau)};
-    if constexpr (Shear) {
-      if (modulus)
-        detail::solve_shear_waves(below, modulus, count, low, high, flow, along);
-      else
-        detail::solve_shear_waves(shear_modulus, count, low, high, pull, flow, along);
-    } else {
+    if constexpr (Shear)
+      detail::solve_shear_waves(count, {left.of(C::rho), left.of(v), left.of(tau), below},
+                                {right.of(C::rho), right.of(v), right.of(tau), modulus}, pull, flow, along);
+    else
       detail::carry_velocity(count, left.of(v), right.of(v), flow, along);
-    }
   }
   for (std::size_t c = C::s; c < in.carried(); ++c)
     detail::carry(count, left.of(c), right.of(c), flow, out.flux_of(c));
@@ -245,14 +224,14 @@ int solve_faces(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, Fac
 
 /// reconstruct() and solve_faces() for a row of faces that stands alone. @returns how many values fell back.
 template <int Dim, int Axis, bool Shear>
-int face_fluxes(const AnyEos& eos, double shear_modulus, const Row<Dim>& in, const FaceFlux<Dim>& out) {
+int face_fluxes(const AnyEos& eos, const Row<Dim>& in, const FaceFlux<Dim>& out) {
   FaceValues<Dim> left, right, beyond;
   Row<Dim> cells = in;
   cells.first = in.first - in.step;
-  reconstruct<Dim, Axis, Shear>(eos, shear_modulus, cells, 0, beyond, left);
+  reconstruct<Dim, Axis, Shear>(eos, cells, 0, beyond, left);
   cells.first = in.first;
-  reconstruct<Dim, Axis, Shear>(eos, shear_modulus, cells, 0, right, beyond);
-  return solve_faces<Dim, Axis, Shear>(eos, shear_modulus, in, left, 0, right, 0, out);
+  reconstruct<Dim, Axis, Shear>(eos, cells, 0, right, beyond);
+  return solve_faces<Dim, Axis, Shear>(eos, in, left, 0, right, 0, out);
 }
 
 }  // namespace recoil

@@ -51,8 +51,7 @@ CellFlux<Dim> cell_flux(const AnyEos& eos, const Row<Dim>& in, std::ptrdiff_t at
 /// Lax-Friedrichs). The velocities are the means of both one-sided reconstructions.
 /// @returns 0: there is nothing to fall back to.
 template <int Dim, int Axis, bool Shear>
-int face_fluxes_llf(const AnyEos& eos, double /*shear_modulus*/, const Row<Dim>& in,
-                    const FaceFlux<Dim>& out) {
+int face_fluxes_llf(const AnyEos& eos, const Row<Dim>& in, const FaceFlux<Dim>& out) {
   using C = Components<Dim>;
   for (int i = 0; i < in.count; ++i) {
     std::array<CellFlux<Dim>, 6> cell;  // three on each side

@@ -140,11 +140,11 @@ void reconstruct_waves(const double* stress, const double* u, const double* impe
 }
 
 RECOIL_MULTIVERSION
-void reconstruct_shear_waves(const double* tau, const double* u, const double* rho, double shear_modulus,
-                             std::ptrdiff_t step, int count, SmoothCells cells, RowEnds tau_ends,
-                             RowEnds u_ends) {
+void reconstruct_shear_waves(const double* tau, const double* u, const double* rho,
+                             const double* shear_modulus, std::ptrdiff_t step, int count, SmoothCells cells,
+                             RowEnds tau_ends, RowEnds u_ends) {
   reconstruct_row(cells, count, [&](auto how, int i, bool smooth) RECOIL_INLINE {
-    return reconstruct_pair<how()>(tau, u, std::sqrt(rho[i] * shear_modulus), step, i, smooth, tau_ends,
+    return reconstruct_pair<how()>(tau, u, std::sqrt(rho[i] * shear_modulus[i]), step, i, smooth, tau_ends,
                                    u_ends);
   });
 }
@@ -198,19 +198,17 @@ void keep_positive(const double* q, int count, RowEnds ends) {
   }
 }
 
-StateBounds::StateBounds(const AnyEos& eos, double shear_modulus)
-    : least_rho(0.6 * density_range(eos).least * eos.rho0),
-      least_c2(least_sound_squared(eos)),
-      stiffness(4.0 / 3 * shear_modulus) {}
+StateBounds::StateBounds(const AnyEos& eos)
+    : least_rho(0.6 * density_range(eos).least * eos.rho0), least_c2(least_sound_squared(eos)) {}
 
 RECOIL_MULTIVERSION
-int find_longitudinal_speeds(const StateBounds& bounds, const double* rho, const double* own, int count,
-                             double* sound) {
+int find_longitudinal_speeds(const StateBounds& bounds, const double* rho, const double* own,
+                             const double* shear_modulus, int count, double* sound) {
   int bad = 0;
 #pragma omp simd reduction(+ : bad)
   for (int i = 0; i < count; ++i) {
     const double c2 = sound[i];
-    sound[i] = bounds.longitudinal_speed(rho[i], c2);
+    sound[i] = bounds.longitudinal_speed(rho[i], c2, shear_modulus[i]);
     bad += bounds.admit(rho[i], own[i], c2) ? 0 : 1;
   }
   return bad;
@@ -260,48 +258,19 @@ void solve_normal_waves(int count, const NormalSide& left, const NormalSide& rig
     normal_waves<false>(count, left, right, pull, out);
 }
 
-void add_shear_stiffness(int count, const double* shear_modulus, const double* rho, double* sound) {
-#pragma omp simd
-  for (int i = 0; i < count; ++i)
-    sound[i] = std::sqrt(sound[i] * sound[i] + 4.0 / 3 * shear_modulus[i] / rho[i]);
-}
-
-void add_shear_impedance(int count, const double* shear_modulus, const double* rho, double* impedance) {
-#pragma omp simd
-  for (int i = 0; i < count; ++i)
-    impedance[i] = std::sqrt(impedance[i] * impedance[i] + 4.0 / 3 * shear_modulus[i] * rho[i]);
-}
-
-void solve_shear_waves(const double* left_modulus, const double* right_modulus, int count,
-                       const ShearSide& left, const ShearSide& right, const CarryingFlow& flow,
-                       const AlongFace& out) {
-  for (int i = 0; i < count; ++i) {
-    const bool from_left = flow.speed[i] >= 0, beyond = flow.inverse[i] == 0;
-    const double vl = left.v[i], vr = right.v[i], v = from_left ? vl : vr;
-    const double tl = left.tau[i], tr = right.tau[i], tau = from_left ? tl : tr;
-    const double zl = std::sqrt(left.rho[i] * left_modulus[i]),
-                 zr = std::sqrt(right.rho[i] * right_modulus[i]);
-    const double v_star = (zl * vl + zr * vr + tr - tl) / (zl + zr), tau_star = tl + zl * (v_star - vl);
-    const double v_out = beyond ? v : v_star, tau_out = beyond ? tau : tau_star;
-    const double work = (tau_out * v_out - tau * v) / (from_left ? -zl : zr);
-    out.momentum[i] = flow.mass[i] * v_out - tau_out;
-    out.power[i] += flow.mass[i] * (0.5 * v * v - work) - tau_out * v_out;
-    out.speed[i] = v_out;
-  }
-}
-
 namespace {
 
 template <bool Pulled>
-[[gnu::always_inline]] inline void shear_waves(double shear_modulus, int count, const ShearSide& left,
-                                               const ShearSide& right, const double* pull,
-                                               const CarryingFlow& flow, const AlongFace& out) {
+[[gnu::always_inline]] inline void shear_waves(int count, const ShearSide& left, const ShearSide& right,
+                                               const double* pull, const CarryingFlow& flow,
+                                               const AlongFace& out) {
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const bool from_left = flow.speed[i] >= 0, beyond = flow.inverse[i] == 0;
     const double vl = left.v[i], vr = right.v[i], v = from_left ? vl : vr;
     const double tl = left.tau[i], tr = right.tau[i], tau = from_left ? tl : tr;
-    const double zl = std::sqrt(left.rho[i] * shear_modulus), zr = std::sqrt(right.rho[i] * shear_modulus);
+    const double zl = std::sqrt(left.rho[i] * left.modulus[i]),
+                 zr = std::sqrt(right.rho[i] * right.modulus[i]);
     const double full = (zl * vl + zr * vr + tr - tl) / (zl + zr), tau_star = tl + zl * (full - vl);
     const double v_star = Pulled ? full - (1 - pull[i]) * (tr - tl) / (zl + zr) : full;
     const double v_out = beyond ? v : v_star, tau_out = beyond ? tau : tau_star;
@@ -315,12 +284,12 @@ template <bool Pulled>
 }  // namespace
 
 RECOIL_MULTIVERSION
-void solve_shear_waves(double shear_modulus, int count, const ShearSide& left, const ShearSide& right,
-                       const double* pull, const CarryingFlow& flow, const AlongFace& out) {
+void solve_shear_waves(int count, const ShearSide& left, const ShearSide& right, const double* pull,
+                       const CarryingFlow& flow, const AlongFace& out) {
   if (pull)
-    shear_waves<true>(shear_modulus, count, left, right, pull, flow, out);
+    shear_waves<true>(count, left, right, pull, flow, out);
   else
-    shear_waves<false>(shear_modulus, count, left, right, pull, flow, out);
+    shear_waves<false>(count, left, right, pull, flow, out);
 }
 
 RECOIL_MULTIVERSION
@@ -380,11 +349,12 @@ void mix(int count, double weight, const double* old, double* now) {
 }
 
 RECOIL_MULTIVERSION
-void find_impedances(int count, const double* rho, double least, double shear_modulus, double* impedance) {
+void find_impedances(int count, const double* rho, double least, const double* shear_modulus,
+                     double* impedance) {
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double c2 = impedance[i];
-    impedance[i] = rho[i] * std::sqrt((c2 > least ? c2 : least) + 4 * shear_modulus / (3 * rho[i]));
+    impedance[i] = rho[i] * std::sqrt((c2 > least ? c2 : least) + 4 * shear_modulus[i] / (3 * rho[i]));
   }
 }
 

@@ -38,10 +38,10 @@ void reconstruct_plain(const double* q, std::ptrdiff_t step, int count, double l
 void reconstruct_waves(const double* stress, const double* u, const double* impedance, std::ptrdiff_t step,
                        int count, SmoothCells cells, RowEnds stress_ends, RowEnds u_ends);
 
-/// The same for shear waves along the axis, with Z = sqrt(rho G).
-void reconstruct_shear_waves(const double* tau, const double* u, const double* rho, double shear_modulus,
-                             std::ptrdiff_t step, int count, SmoothCells cells, RowEnds tau_ends,
-                             RowEnds u_ends);
+/// The same for shear waves along the axis, with Z = sqrt(rho G); G [Pa] of each cell.
+void reconstruct_shear_waves(const double* tau, const double* u, const double* rho,
+                             const double* shear_modulus, std::ptrdiff_t step, int count, SmoothCells cells,
+                             RowEnds tau_ends, RowEnds u_ends);
 
 /// The same of the sum and the difference of two arrays; then back to the two.
 void reconstruct_turned(const double* xx, const double* yy, std::ptrdiff_t step, int count, SmoothCells cells,
@@ -62,23 +62,22 @@ void keep_positive(const double* q, int count, RowEnds ends);
 /// Which reconstructed states are used, and their longitudinal sound speed.
 struct StateBounds {
   double least_rho, least_c2;  // kg/m3, m2/s2
-  double stiffness;            // 4/3 G [Pa]
 
-  StateBounds(const AnyEos& eos, double shear_modulus);
+  explicit StateBounds(const AnyEos& eos);
 
   /// @param own density of the average of the cell that the state belongs to.
   [[gnu::always_inline]] bool admit(double rho, double own, double c2) const {
     return (rho > 0.5 * own) & (rho < 2 * own) & (rho > least_rho) & (c2 >= least_c2);
   }
-  [[gnu::always_inline]] double longitudinal_speed(double rho, double c2) const {
-    return std::sqrt((c2 > least_c2 ? c2 : least_c2) + stiffness / rho);
+  [[gnu::always_inline]] double longitudinal_speed(double rho, double c2, double shear_modulus) const {
+    return std::sqrt((c2 > least_c2 ? c2 : least_c2) + 4.0 / 3 * shear_modulus / rho);
   }
 };
 
-/// Turns the squared bulk sound speeds `sound` into longitudinal sound speeds. @returns how many states are
-/// not admitted.
-int find_longitudinal_speeds(const StateBounds& bounds, const double* rho, const double* own, int count,
-                             double* sound);
+/// Turns the squared bulk sound speeds `sound` into longitudinal sound speeds. @param shear_modulus [Pa] of
+/// each state. @returns how many states are not admitted.
+int find_longitudinal_speeds(const StateBounds& bounds, const double* rho, const double* own,
+                             const double* shear_modulus, int count, double* sound);
 
 /// One side of a row of faces: what the waves along the axis need.
 struct NormalSide {
@@ -100,7 +99,7 @@ void solve_normal_waves(int count, const NormalSide& left, const NormalSide& rig
 
 /// One side of a row of faces, and what shear waves need there.
 struct ShearSide {
-  const double *rho, *v, *tau;
+  const double *rho, *v, *tau, *modulus;  // modulus: shear modulus [Pa]
 };
 
 /// Mass flux, normal star velocity and `inverse` of a row of faces, as solve_normal_waves() leaves them.
@@ -113,18 +112,9 @@ struct AlongFace {
   double *momentum, *speed, *power;
 };
 
-/// Adds what the shear modulus [Pa] of the cells does to longitudinal sound speeds.
-void add_shear_stiffness(int count, const double* shear_modulus, const double* rho, double* sound);
-/// The same for impedances.
-void add_shear_impedance(int count, const double* shear_modulus, const double* rho, double* impedance);
-
-/// The shear waves of a solid whose shear modulus [Pa] differs between cells.
-void solve_shear_waves(const double* left_modulus, const double* right_modulus, int count,
-                       const ShearSide& left, const ShearSide& right, const CarryingFlow& flow,
-                       const AlongFace& out);
 /// The shear waves of a solid. @param pull see solve_normal_waves().
-void solve_shear_waves(double shear_modulus, int count, const ShearSide& left, const ShearSide& right,
-                       const double* pull, const CarryingFlow& flow, const AlongFace& out);
+void solve_shear_waves(int count, const ShearSide& left, const ShearSide& right, const double* pull,
+                       const CarryingFlow& flow, const AlongFace& out);
 
 /// A fluid carries its velocity along the face with it.
 void carry_velocity(int count, const double* left, const double* right, const CarryingFlow& flow,
@@ -154,6 +144,8 @@ void add_rows(int count, const double* a, const double* b, double* out);
 void mix(int count, double weight, const double* old, double* now);
 
 /// Turns squared bulk sound speeds, at least `least`, into impedances rho c_L of longitudinal waves.
-void find_impedances(int count, const double* rho, double least, double shear_modulus, double* impedance);
+/// @param shear_modulus [Pa] of each cell.
+void find_impedances(int count, const double* rho, double least, const double* shear_modulus,
+                     double* impedance);
 
 }  // namespace recoil::detail

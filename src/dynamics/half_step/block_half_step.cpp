@@ -18,12 +18,12 @@ namespace {
 
 /// f(reader) with that of the window.
 template <int Dim, class F>
-void with_reader(const Work<Dim>& w, double g, F&& f) {
+void with_reader(const Work<Dim>& w, F&& f) {
   const double per_dx = 0.5 / w.grid.dx;
   if (w.open)
-    f(WindowReader<Dim, true>{w.primitive, w.impedance, w.open, w.own, w.wide, per_dx, g});
+    f(WindowReader<Dim, true>{w.primitive, w.impedance, w.open, w.own, w.wide, per_dx, w.shear});
   else
-    f(WindowReader<Dim, false>{w.primitive, w.impedance, nullptr, nullptr, w.wide, per_dx, g});
+    f(WindowReader<Dim, false>{w.primitive, w.impedance, nullptr, nullptr, w.wide, per_dx, w.shear});
 }
 
 /// What half a step by one axis changes is read this far from the block: a face reads the cells beside it,
@@ -58,7 +58,7 @@ template <int Dim>
 void find_loading(const Body<Dim>& body, Work<Dim>& w) {
   std::array<std::ptrdiff_t, Dim> step;
   for (int d = 0; d < Dim; ++d) step[static_cast<std::size_t>(d)] = w.window.stride(d);
-  with_reader(w, shear_modulus(body.material), [&](const auto& read) {
+  with_reader(w, [&](const auto& read) {
     for_each_row(w, w.cells.grown(reach_across), [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
       double* loading = w.ahead.loading + first;
       find_working<Dim>(read, step, first, width, loading);
@@ -165,11 +165,11 @@ Box<Dim> changed_by(const Work<Dim>& w, int axis) {
 
 /// The changes of half a step by one axis.
 template <int Dim, int Axis>
-void find_change(double g, double half, Work<Dim>& w) {
+void find_change(double half, Work<Dim>& w) {
   const std::ptrdiff_t step = w.window.stride(Axis);
   const ChangeRow out{w.ahead.change[Axis], w.ahead.leaning[Axis]};
   using C = Components<Dim>;
-  with_reader(w, g, [&](const auto& read) {
+  with_reader(w, [&](const auto& read) {
     for_each_row(w, changed_by(w, Axis), [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
       find_row_change<Dim, Axis>(read, w.ahead.loading, step, first, width, half, out);
       for (std::size_t c = C::ep; c < C::primitives; ++c) {
@@ -206,8 +206,9 @@ RECOIL_MULTIVERSION void cross_row(const Reader& read, const double* loading, st
 // NOLINTEND(readability-non-const-parameter)
 
 /// The changes of half a step by the widening of rings, which stand beside those by each axis too.
-void find_ring_change(double g, double half, Work<2>& w) {
-  const WindowReader<2, false> read{w.primitive, w.impedance, nullptr, nullptr, w.wide, 0.5 / w.grid.dx, g};
+void find_ring_change(double half, Work<2>& w) {
+  const WindowReader<2, false> read{w.primitive, w.impedance,     nullptr, nullptr,
+                                    w.wide,      0.5 / w.grid.dx, w.shear};
   for_each_row(w, w.cells.grown(reach_across), [&](const Index<2>& r, std::ptrdiff_t first, int width) {
     for (int i = 0; i < width; ++i) {
       const std::ptrdiff_t k = first + i;
@@ -274,7 +275,6 @@ void leave_voids(Work<Dim>& w) {
 
 template <int Dim>
 void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& w, Scratch& scratch) {
-  const double g = shear_modulus(body.material);
   const std::size_t n = w.wide * Components<Dim>::primitives + vector_length;
   w.ahead.dt = dt;
   w.ahead.per_dx = dt / w.grid.dx;
@@ -284,25 +284,25 @@ void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& w, Scratch& scr
   for_each_axis<Dim>([&](auto axis) {
     w.ahead.change[axis] = scratch.take<double>(n);
     w.ahead.leaning[axis] = scratch.take<double>(n);
-    find_change<Dim, axis>(g, 0.5 * dt, w);
+    find_change<Dim, axis>(0.5 * dt, w);
   });
   if constexpr (Dim == 2)
     if (w.grid.axisymmetric) {
       w.ahead.change[2] = scratch.take<double>(n);
-      find_ring_change(g, 0.5 * dt, w);
+      find_ring_change(0.5 * dt, w);
     }
   leave_voids(w);
 }
 
 template <int Dim, int Axis>
-void find_across(double shear_modulus, Work<Dim>& w, Scratch& scratch) {
+void find_across(Work<Dim>& w, Scratch& scratch) {
   if constexpr (Dim > 1) {
     constexpr std::size_t primitives = Components<Dim>::primitives;
     const std::size_t n = w.wide * primitives + vector_length;
     double* both = scratch.take<double>(n);
     const double* across = w.ahead.leaning[Axis == 0 ? 1 : 0];
     if constexpr (Dim == 3) across = sum_of_others<Axis>(w, scratch.take<double>(n));
-    with_reader(w, shear_modulus, [&](const auto& read) {
+    with_reader(w, [&](const auto& read) {
       for_each_row(w, grown_along(w, Axis, reach_along),
                    [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
                      cross_row<Dim, Axis>(read, w.ahead.loading, w.window.stride(Axis), first, width,
@@ -342,7 +342,7 @@ RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)
 #undef RECOIL_INSTANTIATE
-#define RECOIL_INSTANTIATE(Dim, Axis) template void find_across<Dim, Axis>(double, Work<Dim>&, Scratch&);
+#define RECOIL_INSTANTIATE(Dim, Axis) template void find_across<Dim, Axis>(Work<Dim>&, Scratch&);
 RECOIL_INSTANTIATE(1, 0)
 RECOIL_INSTANTIATE(2, 0)
 RECOIL_INSTANTIATE(2, 1)

@@ -15,7 +15,7 @@ void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& work, Scratch& 
 /// What half a step by the other axes changes in the cells beside the faces across `Axis`: T, by upwind
 /// differences, and what half a step along `Axis` makes of T. Into HalfStep::across, from `scratch`.
 template <int Dim, int Axis>
-void find_across(double shear_modulus, Work<Dim>& work, Scratch& scratch);
+void find_across(Work<Dim>& work, Scratch& scratch);
 
 /// Moves the averages themselves to the middle of the step; the fluxes no longer need them.
 template <int Dim>

@@ -104,7 +104,7 @@ template <bool Swept, class Impedance>
 /// isentrope: d rho = -d sigma/c^2, dS_nn = (4/3 G/(rho c_L^2)) d sigma, 0 where the cell yields; p follows
 /// from the two. `speed` c(i) [m/s] of the waves.
 template <int Dim, int Axis, class Speed>
-[[gnu::always_inline]] inline void follow_stress(int count, double g, const double* rho_mean,
+[[gnu::always_inline]] inline void follow_stress(int count, const double* g, const double* rho_mean,
                                                  const double* loading, const Speed& speed,
                                                  const double* ridden, FaceValues<Dim>& w, int to) {
   using C = Components<Dim>;
@@ -113,7 +113,7 @@ template <int Dim, int Axis, class Speed>
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double c = speed(i), strain = (stress[i] - ridden[i]) / (rho_mean[i] * c * c);
-    const double stiffness = loading[i] > 0 ? 0.0 : g;
+    const double stiffness = loading[i] > 0 ? 0.0 : g[i];
     rho[i] -= rho_mean[i] * strain;
     for (int d = 0; d < Dim; ++d) {
       const int c = C::stress(d, d);
@@ -144,12 +144,12 @@ void move_shear(const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim
 
 /// The values of one row of cells at both faces: waves averaged over the step.
 template <int Dim, int Axis, bool Shear>
-[[gnu::flatten]] RECOIL_MULTIVERSION void move_by_waves(double g, bool has_extra, const Row<Dim>& in, int to,
+[[gnu::flatten]] RECOIL_MULTIVERSION void move_by_waves(bool has_extra, const Row<Dim>& in, int to,
                                                         FaceValues<Dim>& low, FaceValues<Dim>& high) {
   using C = Components<Dim>;
   const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
   const double *rho = of(C::rho), *u = of(C::u + Axis), *z = in.impedance + in.first,
-               *stress = in.stress + in.first;
+               *stress = in.stress + in.first, *g = in.shear + in.first;
   const double per_dx = in.ahead->per_dx;
   Passed passed;
   const auto ride = [=](int i) { return per_dx * u[i]; };
@@ -181,7 +181,7 @@ template <int Dim, int Axis, bool Shear>
   const auto speed = [=](int i) {
     const double c = z[i] / rho[i];
     if constexpr (!yields_by_waves<Dim>) return c;
-    return loading[i] > 0 ? std::sqrt(c * c - 4.0 / 3 * g / rho[i]) : c;
+    return loading[i] > 0 ? std::sqrt(c * c - 4.0 / 3 * g[i] / rho[i]) : c;
   };
   const auto pace = [=](int i) { return per_dx * speed(i); };
   find_passed(in.count, pace, ride, passed);
@@ -253,8 +253,8 @@ struct PlasticWaves {
 /// the start of the step, and get those of the middle.
 /// @param half of the step, over dx [s/m].
 template <int Dim, int Axis>
-[[gnu::always_inline]] inline void move_yielding(double g, const Row<Dim>& in, int i, double half,
-                                                 Primitives<Dim>& low, Primitives<Dim>& high) {
+[[gnu::always_inline]] inline void move_yielding(const Row<Dim>& in, int i, double half, Primitives<Dim>& low,
+                                                 Primitives<Dim>& high) {
   using C = Components<Dim>;
   const std::ptrdiff_t k = in.first + i;
   Primitives<Dim> w, slope;
@@ -262,7 +262,7 @@ template <int Dim, int Axis>
     w[c] = in.primitive[c * in.cells + k];
     slope[c] = high[c] - low[c];
   }
-  const double z = in.impedance[k];
+  const double z = in.impedance[k], g = in.shear[k];
   const Response m{z * z / w[C::rho] - 4.0 / 3 * g, g, in.ahead->loading[k]};
   const PlasticWaves<Dim, Axis> waves(w, m);
   const double up = waves.beyond_line(1, 2 * half, high, low),
@@ -327,8 +327,7 @@ template <int Dim, int Axis>
 /// start of the step to its middle.
 /// @param has_extra the matter keeps energy beside its equation of state.
 template <int Dim, int Axis, bool Shear>
-void move_half_step(double g, bool has_extra, const Row<Dim>& in, int to, FaceValues<Dim>& low,
-                    FaceValues<Dim>& high) {
+void move_half_step(bool has_extra, const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
   const double* loading = in.ahead->loading + in.first;
   struct Ends {
     Primitives<Dim> low, high;
@@ -341,7 +340,7 @@ void move_half_step(double g, bool has_extra, const Row<Dim>& in, int to, FaceVa
       if (loading[i] > 0)
         yielding[n++] = {end_of<Dim, Axis>(low, i + to), end_of<Dim, Axis>(high, i + to), i};
   if (n < in.count) {
-    move_by_waves<Dim, Axis, Shear>(g, has_extra, in, to, low, high);
+    move_by_waves<Dim, Axis, Shear>(has_extra, in, to, low, high);
     if constexpr (Shear) move_shear<Dim, Axis>(in, to, low, high);
     if (in.ahead->across) {
       add_across<Dim, Axis>(in, to, low);
@@ -350,7 +349,7 @@ void move_half_step(double g, bool has_extra, const Row<Dim>& in, int to, FaceVa
   }
   for (int k = 0; k < n; ++k) {
     Ends& e = yielding[k];
-    move_yielding<Dim, Axis>(g, in, e.cell, 0.5 * in.ahead->per_dx, e.low, e.high);
+    move_yielding<Dim, Axis>(in, e.cell, 0.5 * in.ahead->per_dx, e.low, e.high);
     put_end<Dim, Axis>(in, e.cell, e.low, low, e.cell + to);
     put_end<Dim, Axis>(in, e.cell, e.high, high, e.cell + to);
   }

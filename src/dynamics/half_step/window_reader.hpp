@@ -23,8 +23,8 @@ struct WindowReader {
   const double* open;  // 1 where a cell has a value, 0 where not
   const double* own;   // 1 where that is its own average, 0 where it follows from a wall
   std::size_t wide;
-  double per_dx;  // 1/(2 dx)
-  double shear;
+  double per_dx;        // 1/(2 dx)
+  const double* shear;  // shear modulus
 
   /// Of differences: in the slope those to the neighbours below and above and those beyond; the fourth one
   /// where all five cells have averages of their own, and in the bend, with the second one that stands for
@@ -91,8 +91,8 @@ struct WindowReader {
     return d;
   }
   RECOIL_INLINE Response response(std::ptrdiff_t k, const double* loading) const {
-    const double z = impedance[k];
-    return {z * z / primitive[k] - 4.0 / 3 * shear, shear, loading[k]};
+    const double z = impedance[k], g = shear[k];
+    return {z * z / primitive[k] - 4.0 / 3 * g, g, loading[k]};
   }
 };
 

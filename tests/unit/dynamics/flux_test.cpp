@@ -43,15 +43,17 @@ Flux<Dim> across(const EosModel& eos, const std::vector<Primitives<Dim>>& cell) 
   const double g = Shear ? shear_modulus : 0;
   const Eos any = eos;
   std::vector<double> primitive(6 * C::primitives), stress(6), impedance(6), flux(C::contents), velocity(Dim);
+  const std::vector<double> modulus(6, g);
   for (std::size_t k = 0; k < 6; ++k) {
     for (std::size_t c = 0; c < C::primitives; ++c) primitive[c * 6 + k] = cell[k][c];
     stress[k] = stress_of<Dim>(cell[k], Axis, Axis) - cell[k][C::p];
     impedance[k] = impedance_of<Dim>(eos, g, cell[k]);
   }
   Flux<Dim> out;
-  out.fallen = face_fluxes<Dim, Axis, Shear>(
-      AnyEos{any}, g, Row<Dim>{primitive.data(), stress.data(), impedance.data(), 6, 3, 1, 1, nullptr, true},
-      FaceFlux<Dim>{flux.data(), velocity.data(), 1, 0});
+  out.fallen = face_fluxes<Dim, Axis, Shear>(AnyEos{any},
+                                             Row<Dim>{primitive.data(), stress.data(), impedance.data(), 6, 3,
+                                                      1, 1, nullptr, true, nullptr, nullptr, modulus.data()},
+                                             FaceFlux<Dim>{flux.data(), velocity.data(), 1, 0});
   std::copy(flux.begin(), flux.end(), out.flux.begin());
   for (int d = 0; d < Dim; ++d) out.velocity[d] = velocity[d];
   return out;
@@ -295,10 +297,11 @@ TEST(FaceFluxesRow, FacesOfARowAreIndependent) {
   constexpr int faces = cells - 5;
   std::vector<double> flux(faces * C::contents), velocity(faces * 2);
   const Eos any = copper;
-  face_fluxes<2, 0, true>(
-      AnyEos{any}, shear_modulus,
-      Row<2>{primitive.data(), stress.data(), impedance.data(), cells, 3, 1, faces, nullptr, true},
-      FaceFlux<2>{flux.data(), velocity.data(), faces, 0});
+  const std::vector<double> modulus(cells, shear_modulus);
+  face_fluxes<2, 0, true>(AnyEos{any},
+                          Row<2>{primitive.data(), stress.data(), impedance.data(), cells, 3, 1, faces,
+                                 nullptr, true, nullptr, nullptr, modulus.data()},
+                          FaceFlux<2>{flux.data(), velocity.data(), faces, 0});
   for (std::size_t f = 0; f < faces; ++f) {
     const std::vector<Primitives<2>> six(cell.begin() + static_cast<std::ptrdiff_t>(f),
                                          cell.begin() + static_cast<std::ptrdiff_t>(f) + 6);

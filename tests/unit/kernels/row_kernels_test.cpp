@@ -36,8 +36,8 @@ struct Sheared {
   double momentum = 0, speed = 0, power = 0;
 
   explicit Sheared(const double* pull) {
-    const double mass = 0, inverse = 1 / (rho * sound);
-    solve_shear_waves(60e9, 1, {&rho, &at_rest, &at_rest}, {&rho, &at_rest, &jump}, pull,
+    const double mass = 0, inverse = 1 / (rho * sound), modulus = 60e9;
+    solve_shear_waves(1, {&rho, &at_rest, &at_rest, &modulus}, {&rho, &at_rest, &jump, &modulus}, pull,
                       {&mass, &at_rest, &inverse}, {&momentum, &speed, &power});
   }
 };
