@@ -64,6 +64,20 @@ velocity = { z = "%s m/s" }
         self.expect(recoil("value", out, "body.flier.mass"), 2, "did you mean 'body.flyer.mass'?")
         self.expect(recoil("value", self.folder / "aut"), 2, "there is no folder", "did you mean 'out'?")
 
+    def test_pairs_of_bodies_with_hyphens_are_named_once(self):
+        case = self.case(("[body.flyer]", "[body.fly-er]"), ("[body.target]", "[body.tar-get]"),
+                         ("flyer-target", "fly-er-tar-get"), ('body = "flyer"', 'body = "fly-er"'), ('body = "target"', 'body = "tar-get"'))
+        self.expect(self.run_coarse("--end", "1us", case=case), 0)
+        out = self.folder / "out"
+        both = recoil("value", out, "contact.fly-er-tar-get.opens", "contact.tar-get-fly-er.opens")
+        self.expect(both, 0)
+        first, second = (line.split(maxsplit=1)[1] for line in both.stdout.splitlines())
+        self.assertEqual(first, second)
+        self.assertRegex(first, r"^0\.7\d* us$")
+        listed = recoil("value", out).stdout
+        self.assertIn("contact.fly-er-tar-get.opens", listed)
+        self.assertNotIn("contact.tar-get-fly-er", listed)
+
     def test_imports_a_material_into_the_folder_of_a_case(self):
         cards = self.folder / "ta.k"
         cards.write_text(CARDS)

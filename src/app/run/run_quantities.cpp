@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -27,20 +28,36 @@ namespace {
 constexpr const char* file_name = "quantities.csv";
 constexpr const char* flag_unit = "flag";
 
+constexpr std::string_view of_contact = "contact.";
+
+std::string contact_quantity(std::string_view first, std::string_view second, std::string_view what) {
+  return fmt::format("{}{}-{}.{}", of_contact, first, second, what);
+}
+
 /// "contact.A-B.opens" taken apart.
 struct PairName {
   std::string first, second, what;
   explicit operator bool() const { return !what.empty(); }
-  std::string swapped() const { return fmt::format("contact.{}-{}.{}", second, first, what); }
+  std::string swapped() const { return contact_quantity(second, first, what); }
 };
 
-PairName pair_name(const std::string& name) {
-  constexpr std::size_t begin = 8;  // behind "contact."
-  if (!name.starts_with("contact.")) return {};
-  const std::size_t hyphen = name.find('-', begin), dot = name.find('.', begin);
-  if (hyphen == std::string::npos || dot == std::string::npos || hyphen > dot) return {};
-  return {name.substr(begin, hyphen - begin), name.substr(hyphen + 1, dot - hyphen - 1),
-          name.substr(dot + 1)};
+/// All ways to read such a name; one for each hyphen, since names of bodies may hold some. None for others.
+std::vector<PairName> pair_names(const std::string& name) {
+  std::vector<PairName> found;
+  const std::size_t begin = of_contact.size(), dot = name.find('.', begin);
+  if (!name.starts_with(of_contact) || dot == std::string::npos) return found;
+  for (std::size_t k = begin; k < dot; ++k)
+    if (name[k] == '-')
+      found.push_back({name.substr(begin, k - begin), name.substr(k + 1, dot - k - 1), name.substr(dot + 1)});
+  return found;
+}
+
+/// The one whose bodies are among these; nothing where there is none.
+PairName pair_of(const std::string& name, const std::vector<std::string>& bodies) {
+  const auto known = [&](const std::string& body) { return std::ranges::find(bodies, body) != bodies.end(); };
+  for (const PairName& p : pair_names(name))
+    if (known(p.first) && known(p.second)) return p;
+  return {};
 }
 
 /// Times of a pair's contact, from the events of a run.
@@ -76,20 +93,20 @@ void take_places(Quantities& q, const std::vector<Event>& events, const std::vec
 void tidy(Quantities& q, const std::vector<std::string>& bodies, const std::vector<CheckResult>& expected) {
   const auto position = [&](const std::string& body) { return std::ranges::find(bodies, body); };
   for (const CheckResult& r : expected)
-    if (const PairName p = pair_name(r.expected.quantity); p && p.what == "restitution")
+    if (const PairName p = pair_of(r.expected.quantity, bodies); p && p.what == "restitution")
       for (const std::string& name : {r.expected.quantity, p.swapped()})
         if (!std::isnan(r.measured.value)) q.numbers[name] = r.measured.value;
   std::erase_if(q.numbers, [&](const auto& entry) {
-    const PairName p = pair_name(entry.first);
+    const PairName p = pair_of(entry.first, bodies);
     if (p && position(p.second) < position(p.first)) return true;
     if (p && p.what == "restitution" && std::isnan(entry.second)) return true;
     return q.numbers.contains(entry.first + ".x") && !q.numbers.contains(entry.first + ".y");
   });
-  std::erase_if(q.flags, [](const auto& entry) { return pair_name(entry.first); });  // they follow from times
+  std::erase_if(q.flags, [&](const auto& entry) { return pair_of(entry.first, bodies); });  // by times
   for (auto& [name, value] : q.numbers)
-    if (const PairName p = pair_name(name); p && p.what == "lasts")
-      value = q.numbers.at(fmt::format("contact.{}-{}.opens", p.first, p.second)) -
-              q.numbers.at(fmt::format("contact.{}-{}.made", p.first, p.second));
+    if (const PairName p = pair_of(name, bodies); p && p.what == "lasts")
+      value = q.numbers.at(contact_quantity(p.first, p.second, "opens")) -
+              q.numbers.at(contact_quantity(p.first, p.second, "made"));
 }
 
 /// The unit that files have a number in.
@@ -155,11 +172,11 @@ void add_aliases(Quantities& q) {
     if (name.starts_with("body.") && name.ends_with(".x"))
       if (const std::string bare = name.substr(0, name.size() - 2); !given.contains(bare + ".y"))
         q.numbers[bare] = value;
-    const PairName p = pair_name(name);
-    if (!p) continue;
-    q.numbers[p.swapped()] = value;
-    if (p.what == "made" || p.what == "opens" || p.what == "separates" || p.what == "recloses")
-      q.flags[name] = q.flags[p.swapped()] = !std::isnan(value);
+    for (const PairName& p : pair_names(name)) {
+      q.numbers[p.swapped()] = value;
+      if (p.what == "made" || p.what == "opens" || p.what == "separates" || p.what == "recloses")
+        q.flags[name] = q.flags[p.swapped()] = !std::isnan(value);
+    }
   }
 }
 
@@ -254,8 +271,9 @@ std::string unit_of(const RunQuantities& run, const std::string& quantity) {
     const std::string& unit = series->columns[column].unit;
     return name.ends_with(".slope") ? unit_of_slope(unit, series->over.unit) : unit;
   }
-  const PairName p = pair_name(quantity);
-  for (const std::string& name : {quantity, quantity + ".x", p ? p.swapped() : quantity})
+  std::vector<std::string> names{quantity, quantity + ".x"};
+  for (const PairName& p : pair_names(quantity)) names.push_back(p.swapped());
+  for (const std::string& name : names)
     if (const auto at = run.units.find(name); at != run.units.end()) return at->second;
   return "1";
 }
