@@ -75,7 +75,7 @@ void check_edges(LoadedCase& loaded) {
         const double end = edge.side == 0 ? c.domain.lo[edge.axis] - reach : c.domain.hi[edge.axis] + reach;
         loaded.found.warning(
             body.shape.place,
-            fmt::format("'{}' is cut off at the {} end of {}, an outflow edge: {:.3g} mm of it lie beyond",
+            fmt::format("'{}' is cut off at the {} end of {}, an outflow edge: {:.3g} mm of it lies beyond",
                         body.name, edge.side == 0 ? "low" : "high", axes[edge.axis], reach * 1e3),
             fmt::format(
                 "let {} of the domain reach to {:.4g} mm and more, or end the body at the edge if it shall "

@@ -142,7 +142,8 @@ struct LongBody {
 TEST(Fracture, LostFragmentBesideABlockWithoutASurfaceKeepsTheMass) {
   using C = Components<1>;
   LongBody body;
-  auto& [run, near] = body;
+  TestRun<1>& run = body.run;
+  BodyBlock<1>& near = body.near;
   const std::size_t n = near.volume.size();
   const auto scale = [&](std::size_t k, double part) {
     for (std::size_t q = 0; q < C::contents; ++q) near.contents[q * n + k] *= part;
@@ -161,7 +162,8 @@ TEST(Fracture, LostFragmentBesideABlockWithoutASurfaceKeepsTheMass) {
 TEST(Fracture, ThinMatterAtTheEdgeOfABlockKeepsItsMass) {
   using C = Components<1>;
   LongBody body;
-  auto& [run, near] = body;
+  TestRun<1>& run = body.run;
+  BodyBlock<1>& near = body.near;
   const std::size_t n = near.volume.size(), k = 15;
   for (std::size_t q = 0; q < C::contents; ++q) near.contents[q * n + k] = 0;
   const double mass = 5e-4 * 2700 * near.volume[k];
