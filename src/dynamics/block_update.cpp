@@ -31,8 +31,8 @@ RECOIL_MULTIVERSION void keep_valued(std::size_t n, const std::uint8_t* role, do
   for (std::size_t k = 0; k < n; ++k) value[k] = (role[k] & valued) != 0 ? value[k] : missing;
 }
 
-/// Whether cells that a block reads may lack a value: in blocks near a surface, and in those of other
-/// processes, whose surfaces are not known. Both blocks at a face must know of the same.
+/// Whether cells that a block reads may lack a value: those of blocks near a surface, and of other processes'
+/// blocks, which do not say. Both blocks at a face have to leave the same cells out.
 template <int Dim>
 bool may_lack_values(const Mesh<Dim>& mesh, const Body<Dim>& body, int slot) {
   if (body.at(slot).near_surface) return true;

@@ -118,8 +118,8 @@ RECOIL_MULTIVERSION void row_primitives(const EosModel& eos, std::size_t first, 
 enum class Averaged : std::uint8_t { no, yes, kept };
 
 /// What a donor is averaged by: its volume is above `least` (by column) and above `of_old` times that at the
-/// start of the step, its density lies between `thinnest` and `densest` [kg/m3]. Any density will do where
-/// phi [m] is at most `within`, as in blocks that no surface is near.
+/// start of the step, its density lies between `thinnest` and `densest` [kg/m3]. Any density that is a
+/// number will do where phi [m] is at most `within`, as in blocks that no surface is near.
 struct AveragedRow {
   const std::uint8_t* role;
   const double *volume, *volume_old, *mass, *phi, *least;

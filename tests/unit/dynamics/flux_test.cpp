@@ -50,10 +50,10 @@ Flux<Dim> across(const EosModel& eos, const std::vector<Primitives<Dim>>& cell) 
     impedance[k] = impedance_of<Dim>(eos, g, cell[k]);
   }
   Flux<Dim> out;
-  out.fallen = face_fluxes<Dim, Axis, Shear>(AnyEos{any},
-                                             Row<Dim>{primitive.data(), stress.data(), impedance.data(), 6, 3,
-                                                      1, 1, nullptr, true, nullptr, nullptr, modulus.data()},
-                                             FaceFlux<Dim>{flux.data(), velocity.data(), 1, 0});
+  Row<Dim> row{primitive.data(), stress.data(), impedance.data(), 6, 3, 1, 1, nullptr, true};
+  row.shear = modulus.data();
+  out.fallen =
+      face_fluxes<Dim, Axis, Shear>(AnyEos{any}, row, FaceFlux<Dim>{flux.data(), velocity.data(), 1, 0});
   std::copy(flux.begin(), flux.end(), out.flux.begin());
   for (int d = 0; d < Dim; ++d) out.velocity[d] = velocity[d];
   return out;
@@ -298,10 +298,9 @@ TEST(FaceFluxesRow, FacesOfARowAreIndependent) {
   std::vector<double> flux(faces * C::contents), velocity(faces * 2);
   const Eos any = copper;
   const std::vector<double> modulus(cells, shear_modulus);
-  face_fluxes<2, 0, true>(AnyEos{any},
-                          Row<2>{primitive.data(), stress.data(), impedance.data(), cells, 3, 1, faces,
-                                 nullptr, true, nullptr, nullptr, modulus.data()},
-                          FaceFlux<2>{flux.data(), velocity.data(), faces, 0});
+  Row<2> row{primitive.data(), stress.data(), impedance.data(), cells, 3, 1, faces, nullptr, true};
+  row.shear = modulus.data();
+  face_fluxes<2, 0, true>(AnyEos{any}, row, FaceFlux<2>{flux.data(), velocity.data(), faces, 0});
   for (std::size_t f = 0; f < faces; ++f) {
     const std::vector<Primitives<2>> six(cell.begin() + static_cast<std::ptrdiff_t>(f),
                                          cell.begin() + static_cast<std::ptrdiff_t>(f) + 6);
