@@ -116,13 +116,16 @@ template <int Dim>
 void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot) {
   BodyBlock<Dim>& b = body.at(slot);
   if (!b.near_surface) return;
+  const double dx = state.grid().dx;
   for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
-    if (!(b.contents[k] > 0) || !has_failed(b, k)) return;
+    // Deeper than phi is kept there is no way outwards by which a cell could be filled.
+    const bool failed = has_failed(b, k), deep = b.phi[k] <= -far_cells * dx;
+    if (!(b.contents[k] > 0) || !(failed || deep)) return;
     const double others = volume_of_others(state, body, slot, k);
     const double room = state.grid().full_volume(i) - others, v = b.volume[k];
     const CellKind kind = b.end_geometry.kind[k];
     const bool lacks = kind == CellKind::full && v < room;
-    const bool exceeds = (kind != CellKind::empty || others > 0) && v > room;
+    const bool exceeds = failed && (kind != CellKind::empty || others > 0) && v > room;
     if (lacks)
       b.volume[k] = room;
     else if (exceeds)

@@ -60,12 +60,7 @@ inline double distortion_energy(double equivalent_stress_squared, double shear_m
 class TemperatureLaw {
  public:
   TemperatureLaw() = default;
-  TemperatureLaw(const Thermal& thermal, const Eos& eos, const Melting& melting = {})
-      : thermal_(thermal), melting_(melting) {
-    if (!(density(eos) > 0)) return;  // of a rigid body
-    std::visit([this](const auto& m) { tabulate(m); }, eos);
-    std::visit([this](const auto& m) { find_melting_at_rest(m); }, eos);
-  }
+  TemperatureLaw(const Thermal& thermal, const Eos& eos, const Melting& melting = {});
 
   /// Temperature [K] at density rho [kg/m3], energy e and temperature rise by plastic work `heat` [K]; of
   /// porous matter with what it has lost of its distension in place of `heat`. All else is of the solid.
@@ -152,45 +147,6 @@ class TemperatureLaw {
     return isentrope(rho) + thermal_.specific_heat * (temperature - on_isentrope(rho));
   }
 
-  /// From the melting temperature without pressure, where heat has expanded matter, to that at rest density.
-  template <class Model>
-  void find_melting_at_rest(const Model& eos) {
-    if (!melting_.melts()) return;
-    melting_at_rest_ = melting_.temperature;
-    if (!melting_.at_rest)
-      melting_at_rest_ *= melting_.temperature / melting_at(density_without_pressure(eos));
-    find_least_melting(std::log(std::min(eos.largest_density() / rho0_, 10.0)));
-  }
-  /// Of the solid at its melting temperature [kg/m3].
-  template <class Model>
-  double density_without_pressure(const Model& eos) const {
-    const auto pushes = [&](double rho) {
-      return eos.pressure(rho, solid_energy_at(rho, melting_.temperature)) > 0;
-    };
-    double free = rho0_, denser = rho0_;
-    const double least = std::max(0.5, density_range(eos).least) * rho0_;
-    while (pushes(free) && free > least) denser = free, free *= 1 - 1e-3;
-    for (int k = 0; k < 60 && free < denser; ++k) {
-      const double middle = 0.5 * (free + denser);
-      (pushes(middle) ? denser : free) = middle;
-    }
-    return free;
-  }
-  void find_melting_at_rest(const Porous& eos) {
-    std::visit([this](const auto& m) { find_melting_at_rest(m); }, eos.solid);
-  }
-
-  /// @param last logarithm of the largest compression.
-  void find_least_melting(double last) {
-    constexpr int samples = 64;
-    constexpr double between = 0.99;  // of the least sample, for what lies between
-    const double first = std::log(least_melting_part);
-    for (int k = 0; k <= samples; ++k) {
-      const double rho = rho0_ * std::exp(first + (last - first) * k / samples);
-      least_melting_ = std::min(least_melting_, between * melting_at(rho));
-    }
-  }
-
   double interpolated(const std::vector<double>& values, double rho) const {
     const double x = (rho - lowest_) / spacing_;
     const double last = static_cast<double>(values.size()) - 2;
@@ -199,79 +155,27 @@ class TemperatureLaw {
     return values[i] + (x - k) * (values[i + 1] - values[i]);
   }
 
+  // How the tables are made; in temperature.cpp, the only place that calls them.
   template <class Model>
-  void tabulate(const Model& eos) {
-    fill(eos);
-    tabulate_growth(eos);
-  }
-  void tabulate(const MieGruneisen& eos) {
-    gamma0_ = eos.gamma0;
-    fill(eos);
-  }
-  void tabulate(const IdealGas& eos) {  // whose densities go beyond any table
-    rho0_ = eos.rho0;
-    gas_power_ = eos.gamma - 1;
-    gas_energy_ = (eos.p0 + eos.p_inf) / eos.rho0;
-  }
-  void tabulate(const LinearEos& eos) { fill(eos); }  // gamma0_ = 0: the isentrope stays at T0
-  void tabulate(const PolynomialEos& eos) { fill(eos); }
-  void tabulate(const Porous& eos) {
-    std::visit([this](const auto& m) { tabulate(m); }, eos.solid);
-    distension_ = eos.alpha0;
-  }
-  void tabulate(const Tabular& eos) {
-    own_ = eos.table;
-    fill(eos);
-  }
-
-  /// Integrates de/drho = p/rho^2 from rest both ways by the classical Runge-Kutta rule: from 0.4 rho0, or
-  /// the least density that the material has, to the largest admissible one, at most 4 rho0.
+  void tabulate(const Model& eos);
+  void tabulate(const MieGruneisen& eos);
+  void tabulate(const IdealGas& eos);
+  void tabulate(const LinearEos& eos);
+  void tabulate(const PolynomialEos& eos);
+  void tabulate(const Porous& eos);
+  void tabulate(const Tabular& eos);
   template <class Model>
-  void fill(const Model& eos) {
-    const DensityRange range = density_range(eos);
-    const double part_below = 1 - std::min(0.4, 0.8 * range.least);
-    const int below = static_cast<int>(std::lround(part_below / 3e-4));
-    rho0_ = eos.rho0;
-    spacing_ = part_below * rho0_ / below;
-    lowest_ = rho0_ - below * spacing_;
-    const double highest = std::min(eos.largest_density(), std::clamp(range.most, 4.0, 10.0) * rho0_);
-    const int above = static_cast<int>(std::ceil((highest - rho0_) / spacing_));
-    table_.assign(static_cast<std::size_t>(below + above) + 1, 0.0);
-    rest_ = below;
-    for (int k = below; k < below + above; ++k) advance(eos, k, +1);
-    for (int k = below; k > 0; --k) advance(eos, k, -1);
-  }
-
-  /// ln(T_s/T0) by the trapezoidal rule over the table of e_s.
+  void fill(const Model& eos);
   template <class Model>
-  void tabulate_growth(const Model& eos) {
-    const auto slope = [&](int k) {
-      const double rho = lowest_ + k * spacing_, e = table_[static_cast<std::size_t>(k)];
-      constexpr double step = 1e3;  // J/kg
-      return (eos.pressure(rho, e + step) - eos.pressure(rho, e - step)) / (2 * step * rho * rho);
-    };
-    growth_.assign(table_.size(), 0.0);
-    const int last = static_cast<int>(table_.size()) - 1;
-    const auto add = [&](int from, int to) {
-      growth_[static_cast<std::size_t>(to)] =
-          growth_[static_cast<std::size_t>(from)] + 0.5 * (to - from) * spacing_ * (slope(from) + slope(to));
-    };
-    for (int k = rest_; k < last; ++k) add(k, k + 1);
-    for (int k = rest_; k > 0; --k) add(k, k - 1);
-  }
-
+  void tabulate_growth(const Model& eos);
   template <class Model>
-  void advance(const Model& eos, int k, int direction) {
-    const auto from = static_cast<std::size_t>(k), to = static_cast<std::size_t>(k + direction);
-    const double h = direction * spacing_;
-    const double r = lowest_ + k * spacing_, e = table_[from];
-    const auto slope = [&](double rho, double energy) { return eos.pressure(rho, energy) / (rho * rho); };
-    const double k1 = slope(r, e);
-    const double k2 = slope(r + 0.5 * h, e + 0.5 * h * k1);
-    const double k3 = slope(r + 0.5 * h, e + 0.5 * h * k2);
-    const double k4 = slope(r + h, e + h * k3);
-    table_[to] = e + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  }
+  void advance(const Model& eos, int k, int direction);
+  template <class Model>
+  void find_melting_at_rest(const Model& eos);
+  void find_melting_at_rest(const Porous& eos);
+  template <class Model>
+  double density_without_pressure(const Model& eos) const;
+  void find_least_melting(double last);
 
   Thermal thermal_;
   Melting melting_;

@@ -152,7 +152,7 @@ void follow_volumes(StepRun<Dim>& step) {
 /// Void gives way before matter does.
 template <int Dim>
 void fit_voids(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"fit voids", {}, contents | end_geometry, volume};
+  static constexpr FieldAccess access{"fit voids", {}, contents | end_geometry | phi, volume};
   step.queue_each_body(StepPhase::moves, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     if (can_fail(body.material.damage)) fit_voids(step.state(), body, slot);
   });

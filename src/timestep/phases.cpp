@@ -17,6 +17,7 @@
 #include "dynamics/plastic_return.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/donors.hpp"
+#include "interface/ghosts.hpp"
 #include "interface/values.hpp"
 #include "interface/walls.hpp"
 #include "levelset/band.hpp"

@@ -18,4 +18,31 @@ std::optional<IsentropePoint> gas_isentrope(const Eos& eos, double rho, double p
                         c / exponent * (1 - std::pow(part, exponent)), reached};
 }
 
+IsentropePoint follow_isentrope(const Eos& eos, double rho, double p, double crushed, double to) {
+  constexpr double step = 0.02;  // of ln(rho)
+  return std::visit(
+      [&](const auto& model) {
+        const auto& matter = frozen(model, crushed);
+        const double least = least_wall_sound_squared(matter);
+        const auto modulus = [&](double density, double pressure) {
+          return density * std::max(matter.sound_speed_squared(density, pressure), least);
+        };
+        double left = to - p, now = p, density = rho, change = 0;
+        for (bool last = false; !last;) {
+          const double here = modulus(density, now);
+          last = std::abs(left) <= step * here;
+          const double dp = last ? left : std::copysign(step * here, left);
+          const double half = density * std::exp(0.5 * dp / here);
+          const double by = dp / modulus(half, now + 0.5 * dp);
+          if (std::abs(change + by) > most_change)
+            return IsentropePoint{rho * std::exp(std::copysign(most_change, left)), to, 0, false};
+          change += by;
+          density = rho * std::exp(change);
+          now += dp, left -= dp;
+        }
+        return IsentropePoint{density, to, 0, true};
+      },
+      eos);
+}
+
 }  // namespace recoil

@@ -23,4 +23,12 @@ inline constexpr double most_expansion = 20;
 /// @returns nothing for other matter (a stiffened gas is a liquid), and for a state without pressure.
 std::optional<IsentropePoint> gas_isentrope(const Eos& eos, double rho, double p, double to);
 
+/// The most that the density of other matter may change along an isentrope, in logarithms either way.
+inline constexpr double most_change = 1;
+
+/// The density [kg/m3] at pressure `to` [Pa] on the isentrope through (rho, p) of any matter, by the midpoint
+/// rule for d(ln rho)/dp = 1/(rho c^2) in steps of at most a fiftieth of the density; c^2 is at least that
+/// of least_wall_sound_squared(). Without `speed`. @param crushed as in eos.hpp.
+IsentropePoint follow_isentrope(const Eos& eos, double rho, double p, double crushed, double to);
+
 }  // namespace recoil

@@ -59,5 +59,18 @@ TYPED_TEST(Voids, FillTheRoomThatOtherBodiesLeave) {
   this->expect(state, 0.9);
 }
 
+/// Matter that has not failed is filled up only where the level set knows no way outwards.
+TYPED_TEST(Voids, FillCellsThatNothingElseCanFill) {
+  auto deep = this->filled(0.5, 0), near_surface = this->filled(0.5, 0);
+  const auto lack = [&](auto& state, double phi) {
+    for_each_piece(state, 0,
+                   [&](auto& b, const auto&, std::size_t k) { b.volume[k] *= 0.3, b.phi[k] = phi; });
+  };
+  lack(deep, -far_cells * this->grid.dx);
+  lack(near_surface, -5 * this->grid.dx);
+  this->expect(deep, 1);
+  this->expect(near_surface, 0.3);
+}
+
 }  // namespace
 }  // namespace recoil

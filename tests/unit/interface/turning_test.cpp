@@ -7,6 +7,7 @@
 #include "cutcell/merged.hpp"
 #include "cutcell/redistribution.hpp"
 #include "dynamics/block_update.hpp"
+#include "interface/ghosts.hpp"
 #include "interface/values.hpp"
 #include "interface/walls.hpp"
 #include "prepared.hpp"

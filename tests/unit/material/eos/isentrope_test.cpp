@@ -54,5 +54,31 @@ TEST(Isentrope, LiquidsAndSolidsHaveNone) {
   EXPECT_FALSE(gas_isentrope(LinearEos{}, 1, 1, 0));
 }
 
+/// Of a solid it has the density at which the energy that it gives up, the integral of p dv, leaves it
+/// without pressure: copper behind a shock of 353 GPa.
+TEST(Isentrope, OfASolidKeepsTheEntropyToo) {
+  const MieGruneisen eos{8930, 3940, 1.489, 2.02};
+  const double u = 4000, us = eos.c0 + eos.s * u, shocked = eos.rho0 * us / (us - u), p = eos.rho0 * us * u;
+  const auto end = follow_isentrope(eos, shocked, p, 0, 0);
+  EXPECT_TRUE(end.reached);
+  double rho = shocked, e = eos.energy(rho, p);
+  for (const double h = 1e-5; eos.pressure(rho, e) > 0;) {
+    const double middle = rho * (1 - 0.5 * h), half = e - 0.5 * h * eos.pressure(rho, e) / rho;
+    e -= h * rho * eos.pressure(middle, half) / (middle * middle);
+    rho *= 1 - h;
+  }
+  EXPECT_NEAR(end.rho / rho, 1, 3e-3);
+  EXPECT_NEAR(follow_isentrope(eos, end.rho, 0, 0, p).rho / shocked, 1, 3e-3) << "and back";
+  const auto pulled = follow_isentrope(eos, shocked, p, 0, -1e13);
+  EXPECT_FALSE(pulled.reached);
+  EXPECT_NEAR(pulled.rho, shocked * std::exp(-most_change), 1e-9 * shocked);
+}
+
+/// The same as the closed form has for a gas, whose speed of sound stays above the floor of walls.
+TEST(Isentrope, FollowedStepByStepIsTheClosedForm) {
+  const double rho = 5, p = 9e5, to = 3e5;
+  EXPECT_NEAR(follow_isentrope(air(), rho, p, 0, to).rho / gas_isentrope(air(), rho, p, to)->rho, 1, 1e-3);
+}
+
 }  // namespace
 }  // namespace recoil
