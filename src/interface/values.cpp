@@ -17,8 +17,8 @@ namespace recoil {
 
 namespace {
 
-// Of the density at the surface: how far that of a ghost leaves it at most. What is cut is counted. Behind a
-// shock of 60 GPa in aluminium the way to zero stress is a quarter of the density.
+// Of the density at the surface: how far the linear response takes that of a ghost; beyond, it follows the
+// isentrope. Behind a shock of 60 GPa in aluminium the way to zero stress is a quarter of the density.
 constexpr double deepest_rarefaction = 0.4, highest_compression = 0.3;
 constexpr double deepest_pull = 0.25;  // of the bulk modulus: the largest tension of a ghost
 constexpr double rounding = 1e-9;      // of the density: a smaller cut is rounding, and not counted
