@@ -11,6 +11,7 @@
 #include "dynamics/failed_faces.hpp"
 #include "dynamics/flux_llf.hpp"
 #include "dynamics/half_step/block_half_step.hpp"
+#include "mesh/open_edge.hpp"
 
 namespace recoil::detail {
 
@@ -33,13 +34,10 @@ struct EnoLlf {
 /// Counts a face whose stencil lacks values. @param at the cell above it.
 template <int Dim>
 void count_poor_face(const Work<Dim>& w, std::ptrdiff_t at, std::ptrdiff_t step, Counters& counters) {
-  bool dust = false, leaves = false;
+  bool dust = false;
   for (int s = -face_reach; s < face_reach; ++s)
     dust = dust || (w.failed && w.failed[at + s * step] != intact);
-  const Index<Dim> i = w.window.box().index(static_cast<int>(at));
-  for (int d = 0; d < Dim; ++d)
-    leaves = leaves || (i[d] < face_reach && w.grid.edge[d][0] == Edge::outflow) ||
-             (i[d] >= w.grid.cells[d] - face_reach && w.grid.edge[d][1] == Edge::outflow);
+  const bool leaves = near_open_edge(w.grid, w.window.box().index(static_cast<int>(at)), face_reach);
   ++(dust ? counters.faces_of_dust : leaves ? counters.faces_at_open_edges : counters.faces_without_value);
 }
 

@@ -8,15 +8,17 @@
 #include "core/constants.hpp"
 #include "core/marks.hpp"
 #include "core/multiversion.hpp"
+#include "dynamics/block_work.hpp"
 #include "interface/nearest_wall.hpp"
 #include "levelset/distance.hpp"
 #include "state/level_set_view.hpp"
 
 namespace recoil {
 
+using detail::face_reach;
+
 namespace {
 
-constexpr int layers = 3;        // ghost cells that a face reads on each side
 constexpr int wall_reach = 8;    // foot points lie up to 5 cells away, their walls 2 more
 constexpr int walls_around = 2;  // cells between a foot point and its wall, along each axis
 
@@ -35,7 +37,7 @@ std::array<std::uint8_t*, Dim> open_low_faces(const Body<Dim>& body, const Windo
   }
   std::fill_n(cut + n, marks_beyond, std::uint8_t{0});
   for (std::size_t d = 1; d < Dim; ++d) std::copy_n(open[0], n, open[d]);
-  Box<Dim> rows = w.inner().grown(layers);
+  Box<Dim> rows = w.inner().grown(face_reach);
   const int width = rows.extent(0);
   rows.hi[0] = rows.lo[0] + 1;
   for_each(rows, [&](const Index<Dim>& row) {
@@ -65,8 +67,8 @@ RECOIL_MULTIVERSION void find_ghosts(int count, std::array<const std::uint8_t*, 
   for (int c = 0; c < count; ++c) {
     unsigned read = 0;
     for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
-      for_each_constant<2 * layers>([&](auto o)
-                                        RECOIL_INLINE { read |= open[d][c + (o + 1 - layers) * stride[d]]; });
+      for_each_constant<2 * face_reach>(
+          [&](auto o) RECOIL_INLINE { read |= open[d][c + (o + 1 - face_reach) * stride[d]]; });
     });
     ghost[c] = static_cast<std::uint8_t>((role[c] & regular) != 0 ? 0 : read);
   }
@@ -99,7 +101,7 @@ void for_each_read_by_a_face(const Body<Dim>& body, const BodyBlock<Dim>& b, con
 template <int Dim>
 bool read_by_a_real_cell(const Window<Dim>& w, const std::uint8_t* role, const Index<Dim>& i) {
   for (int d = 0; d < Dim; ++d)
-    for (int o = 1; o <= layers; ++o)
+    for (int o = 1; o <= face_reach; ++o)
       if (((role[w.at(i) + o * w.stride(d)] | role[w.at(i) - o * w.stride(d)]) & regular) != 0) return true;
   return false;
 }
@@ -118,7 +120,7 @@ template <int Dim>
 void take_wall_in_sight(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w,
                         const int* index, const Index<Dim>& i, GhostCell<Dim>& ghost) {
   const Vec<Dim> x = state.grid().centre(i);
-  NearWall<Dim> near = nearest_wall(state, body, w, index, x, layers);
+  NearWall<Dim> near = nearest_wall(state, body, w, index, x, face_reach);
   if (near.slot < 0) return;
   const Vec<Dim>& surface = body.at(near.slot).geometry.cuts[near.wall].surface;
   const Vec<Dim> own = (1 / norm(surface)) * surface;  // in the wall's frame, as from_wall

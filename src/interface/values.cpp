@@ -8,12 +8,16 @@
 #include <optional>
 #include <variant>
 
+#include "dynamics/block_work.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/nearest_wall.hpp"
 #include "interface/walls.hpp"
 #include "material/eos/isentrope.hpp"
+#include "mesh/open_edge.hpp"
 
 namespace recoil {
+
+using detail::face_reach;
 
 namespace {
 
@@ -244,7 +248,7 @@ void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Cou
       // A crack that the geometry does not show: what is beside it is itself the nearest matter.
       if ((role & donates) != 0)
         role |= valued;
-      else
+      else if (!near_open_edge(grid, lo + layout.index(ghost.cell), face_reach))  // judged by its faces there
         ++counters.ghosts_without_wall;
       continue;
     }
