@@ -90,11 +90,31 @@ Primitives<Dim> slope_along(const Wall<Dim>& wall, const Vec<Dim>& n, double dx)
   return g;
 }
 
-/// Moves the average of a regular cut cell from its centroid to the cell's centre.
+/// The density at pressure p [Pa] of matter of density rho at p0: by linear response as far as that is small,
+/// then on the isentrope.
+struct MovedDensity {
+  double rho = 0;  // kg/m3
+  bool clamped = false;
+};
+MovedDensity density_at(const Material& material, double rho, double p0, double crushed, double c2,
+                        double p) {
+  const double change = (p - p0) / c2,
+               kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
+  if (std::abs(kept - change) <= rounding * rho) return {rho + kept, false};
+  // Thin matter has voids, which close before it is compressed.
+  if (change > 0 && rho < density(material)) return {rho + kept, true};
+  const IsentropePoint far = follow_isentrope(material.eos, rho, p0, crushed, p);
+  return {far.rho, !far.reached};
+}
+
+/// Moves the average of a regular cut cell from its centroid to the cell's centre. It stays where matter
+/// could not follow, and that is counted: vapour of 20 kg/m3 would end below zero.
 template <int Dim>
 Primitives<Dim> centred(const Grid<Dim>& grid, const Material& material, const CutCell<Dim>& cut,
-                        const Wall<Dim>& wall, const Index<Dim>& i, Primitives<Dim> w) {
+                        const Wall<Dim>& wall, const Index<Dim>& i, const Primitives<Dim>& average,
+                        Counters& counters) {
   using C = Components<Dim>;
+  Primitives<Dim> w = average;
   const Vec<Dim>& n = wall.normal;
   const auto here = resolve<Dim>(w, n);
   const auto fit = resolve<Dim>(wall.value, n);
@@ -120,7 +140,13 @@ Primitives<Dim> centred(const Grid<Dim>& grid, const Material& material, const C
     for (int f = 0; f < Dim; ++f) x.tangential[e][f] = limited(slopes[e][f], fitted[e][f], block[e][f]);
   }
   const double p0 = w[C::p], p = here.deviator + x.normal_deviator - (here.stress + stress);
-  w[C::rho] += (p - p0) / sound_squared<Dim>(material, w[C::rho], p0, w[C::crushed]);
+  const double c2 = sound_squared<Dim>(material, w[C::rho], p0, w[C::crushed]);
+  const MovedDensity moved = density_at(material, w[C::rho], p0, w[C::crushed], c2, p);
+  if (moved.clamped) {
+    ++counters.clamped_ghost_densities;
+    return average;
+  }
+  w[C::rho] = moved.rho;
   w[C::p] = p;
   apply(w, x, n);
   const Vec<Dim> along = dot(cut.centroid, n) * n - cut.centroid;
@@ -161,13 +187,8 @@ NormalState linear_state(const Material& material, const Primitives<Dim>& v, con
   const double pull = rho * c2 * std::clamp(left, 0.0, deepest_pull);
   const double p = s.deviator - std::min(stress, traction + pull);
   const double velocity = s.velocity - s.stress / s.impedance + traction / s.impedance;
-  const double change = (p - v[C::p]) / c2,
-               kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
-  if (std::abs(kept - change) <= rounding * rho) return {rho + kept, p, velocity};
-  // Thin matter has voids, which close before it is compressed.
-  if (change > 0 && rho < density(material)) return {rho + kept, p, velocity, true};
-  const IsentropePoint far = follow_isentrope(material.eos, rho, v[C::p], v[C::crushed], p);
-  return {far.rho, p, velocity, !far.reached};
+  const MovedDensity moved = density_at(material, rho, v[C::p], v[C::crushed], c2, p);
+  return {moved.rho, p, velocity, moved.clamped};
 }
 
 /// A gas follows the isentrope through the state of its surface: to the wall's pressure, and from there by
@@ -240,7 +261,8 @@ void fill_stencil_values(const State<Dim>& state, Body<Dim>& body, int slot, Cou
     if ((b.role[k] & regular) == 0 || b.walls[m].donors == 0 || off < 1e-4) continue;
     Primitives<Dim> w{};
     for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.stencil[c * n + k];
-    store(b, n, cut.cell, centred(grid, body.material, cut, b.walls[m], lo + layout.index(cut.cell), w));
+    store(b, n, cut.cell,
+          centred(grid, body.material, cut, b.walls[m], lo + layout.index(cut.cell), w, counters));
   }
   for (const GhostCell<Dim>& ghost : b.ghosts) {
     std::uint8_t& role = b.role[ghost.cell];
