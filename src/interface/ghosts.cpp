@@ -117,8 +117,8 @@ void put_wall(GhostCell<Dim>& ghost, const NearWall<Dim>& near) {
 /// For a ghost i whose nearest surface has no wall: that of a fragment too thin for the geometry. Matter
 /// beyond the fragment's void reads the ghost as well, and its own wall gives the value.
 template <int Dim>
-void take_wall_in_sight(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w,
-                        const int* index, const Index<Dim>& i, GhostCell<Dim>& ghost) {
+void take_nearest_wall(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, const int* index,
+                       const Index<Dim>& i, GhostCell<Dim>& ghost) {
   const Vec<Dim> x = state.grid().centre(i);
   NearWall<Dim> near = nearest_wall(state, body, w, index, x, face_reach);
   if (near.slot < 0) return;
@@ -162,7 +162,7 @@ void choose_ghosts(const State<Dim>& state, Body<Dim>& body, int slot, Cells cel
     ghost.normal = foot.normal;
     ghost.distance = foot.distance;
     put_wall(ghost, nearest_wall(state, body, w, index, foot.point, walls_around));
-    if (ghost.slot < 0) take_wall_in_sight(state, body, w, index, i, ghost);
+    if (ghost.slot < 0) take_nearest_wall(state, body, w, index, i, ghost);
     b.ghosts.push_back(ghost);
   };
   if (role) {

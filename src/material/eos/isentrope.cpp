@@ -34,7 +34,7 @@ IsentropePoint follow_isentrope(const Eos& eos, double rho, double p, double cru
           const double dp = last ? left : std::copysign(step * here, left);
           const double half = density * std::exp(0.5 * dp / here);
           const double by = dp / modulus(half, now + 0.5 * dp);
-          if (std::abs(change + by) > most_change)
+          if (!(std::abs(change + by) <= most_change))  // or not a number
             return IsentropePoint{rho * std::exp(std::copysign(most_change, left)), to, 0, false};
           change += by;
           density = rho * std::exp(change);

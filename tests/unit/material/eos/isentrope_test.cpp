@@ -74,6 +74,14 @@ TEST(Isentrope, OfASolidKeepsTheEntropyToo) {
   EXPECT_NEAR(pulled.rho, shocked * std::exp(-most_change), 1e-9 * shocked);
 }
 
+/// A state that is not a number ends the search; it must not go on for ever.
+TEST(Isentrope, OfWhatIsNotANumberIsNotReached) {
+  const MieGruneisen eos{8930, 3940, 1.489, 2.02};
+  EXPECT_FALSE(follow_isentrope(eos, 8930, std::nan(""), 0, 0).reached);
+  EXPECT_FALSE(follow_isentrope(eos, std::nan(""), 1e9, 0, 0).reached);
+  EXPECT_FALSE(follow_isentrope(eos, 8930, 1e9, 0, std::nan("")).reached);
+}
+
 /// The same as the closed form has for a gas, whose speed of sound stays above the floor of walls.
 TEST(Isentrope, FollowedStepByStepIsTheClosedForm) {
   const double rho = 5, p = 9e5, to = 3e5;
