@@ -13,7 +13,9 @@ OTHERS = ("polymer/pmma", "polymer/nylon", "polymer/ptfe", "ice/water", "water/l
 TENSION = {  # GPa at which materials of that folder break: round numbers, no data of these materials
     "aluminium": 1.0, "copper": 1.5, "steel": 2.5, "iron": 2.0, "tantalum": 5.0, "tungsten": 1.5, "tungsten-alloy": 1.5, "lead": 0.5,
     "titanium": 3.0, "magnesium": 0.8, "gold": 1.5, "platinum": 2.0, "polymer": 0.15, "alumina": 0.3, "ice": 0.01, "rock": 0.1,
-    "water": 0.05, "molybdenum": 2.0, "beryllium": 1.0,
+    "water": 0.05, "molybdenum": 2.0, "beryllium": 1.0, "boron-carbide": 0.3, "silicon-carbide": 0.5, "tungsten-carbide": 1.0,
+    **dict.fromkeys(("brass", "chromium", "iridium", "lithium-fluoride", "nickel", "niobium", "palladium", "rhenium", "silver",
+                     "sodium-chloride", "thorium", "tin", "uranium", "vanadium", "zinc", "zirconium"), 1.0),
 }
 CELLS = {"planar": 0.25, "axisymmetric": 0.25, "3d": 0.5}  # mm
 AXES = {  # extents of the domain [mm]

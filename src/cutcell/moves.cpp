@@ -23,7 +23,8 @@ constexpr double rounding = 1e-13;         // a smaller excess over a whole cell
 constexpr double counted_excess = 0.01;    // nearer to its bounds a volume is moved but not counted
 constexpr double ample_fill = 0.3;   // a neighbour with less does not lend to a cell that lacks volume ...
 constexpr double ample_times = 4;    // ... nor one with less than so many times what is lacking
-constexpr double most_lent = 0.5;    // of what a neighbour has, it gives to a cell without a state
+constexpr double most_lent = 0.5;    // of what a neighbour has, it gives in its own state
+constexpr double least_left = 0.5;   // a neighbour that would keep less of its density gives in its own state
 constexpr double fullest_times = 2;  // what takes a negative volume in has more than so many times as much
 constexpr double like_speed = 50;    // [m/s] moving otherwise by so much halves the rank of what takes it in
 constexpr double least_surface = 0.02;       // area that a surface counts with in the exchange along it
@@ -134,13 +135,31 @@ double least_volume(const MovesView<Dim>& p, const Index<Dim>& i) {
   return p.thin(i) ? 0.0 : -open_bound * p.full(i);
 }
 
-/// Whether volume e < 0 that cell i takes from another one, in its own state, has more mass than that holds:
-/// most of it may be void.
+/// The most volume [m^Dim] that cell i takes from another one in its own state, so that it leaves that at
+/// least the part `least_left` of its density: most of it may be void.
 template <int Dim>
-bool takes_more_mass(const MovesView<Dim>& p, const Index<Dim>& i, const Index<Dim>& from, double e) {
-  const double there = p.contents(from)[0];
-  return there > 0 && p.volume[p.window.at(from)] + e > 0 &&
-         there + e * p.contents(i)[0] / p.volume[p.window.at(i)] < 0;
+double most_taken(const MovesView<Dim>& p, const Index<Dim>& i, const Index<Dim>& from) {
+  const double mass = p.contents(from)[0], left = least_left * mass / p.volume[p.window.at(from)],
+               taken = p.contents(i)[0] / p.volume[p.window.at(i)];
+  return mass > 0 && left < taken ? (1 - least_left) * mass / (taken - left) : infinite;
+}
+
+template <int Dim>
+bool failed_at(const MovesView<Dim>& p, const Index<Dim>& i) {
+  const Contents<Dim> q = p.contents(i);
+  return q[Components<Dim>::damage] >= failed_damage * q[0];
+}
+
+/// All that cell i holds, a negative volume, for the fullest cell around to take in.
+template <int Dim>
+Transfer<Dim> taken_in(const MovesView<Dim>& p, const Index<Dim>& i) {
+  Transfer<Dim> t;
+  t.state_cell = i;
+  send_to_fullest(p, i, t);
+  t.volume = p.volume[p.window.at(i)];
+  t.factor = 1;
+  t.everything = true;
+  return t;
 }
 
 /// What a cut cell sends away because its volume is out of bounds.
@@ -148,13 +167,9 @@ template <int Dim>
 Transfer<Dim> back_into_bounds(const MovesView<Dim>& p, const Index<Dim>& i) {
   Transfer<Dim> t;
   const double v = p.volume[p.window.at(i)], whole = p.full(i), least = least_volume(p, i);
+  if (v < least) return taken_in(p, i);
   t.state_cell = i;
-  if (v < least) {
-    send_to_fullest(p, i, t);
-    t.volume = v;
-    t.factor = 1;
-    t.everything = true;
-  } else if (v > whole - least && v - whole > rounding * whole) {
+  if (v > whole - least && v - whole > rounding * whole) {
     send_to_roomiest(p, i, t);
     t.volume = v - whole;
     t.factor = t.volume / v;
@@ -178,6 +193,39 @@ void add_given(const MovesView<Dim>& p, const Index<Dim>& giver, const Contents<
     const double most = std::max(has[c], 0.0) / (2 * Dim), moved = factor * q[c];
     if (std::abs(moved) > most) to[c] += std::copysign(most, factor) - moved;
   }
+}
+
+/// What a full cell passes on to its neighbour inwards, or takes from there: in its own state, so that its
+/// density stays, else in that of the neighbour.
+template <int Dim>
+Transfer<Dim> made_full(const MovesView<Dim>& p, const Index<Dim>& i, double excess, bool may_fail) {
+  Transfer<Dim> t;
+  t.to = p.neighbour(i, 1);
+  if (t.to == i || !p.takes_part(i)) return t;
+  const double own = p.volume[p.window.at(i)], there = p.volume[p.window.at(t.to)];
+  const bool passes_on = excess > 0,
+             ample = there >= std::max(ample_times * std::abs(excess), ample_fill * p.full(t.to));
+  bool in_own_state = passes_on || !ample;
+  if (in_own_state) {
+    // A cell that the geometry gives to the body before anything of it is there has no state to go by.
+    bool without_state = !(own > least_state_fill * p.full(i));
+    if (!passes_on && !without_state && may_fail) {
+      const double most = most_taken(p, i, t.to);
+      without_state = -excess > most && failed_at(p, i);
+      if (!without_state) excess = std::max(excess, -most);  // a void would put it under tension
+    }
+    if (without_state) {
+      if (!(there > least_state_fill * p.full(t.to))) return t;
+      in_own_state = false;
+      excess = std::max(excess, -most_lent * there);
+    }
+  }
+  if (!passes_on && in_own_state && there + excess < least_volume(p, i)) return t;
+  t.any = true;
+  t.volume = excess;
+  t.state_cell = in_own_state ? i : t.to;
+  t.factor = excess / p.volume[p.window.at(t.state_cell)];
+  return t;
 }
 
 /// What a full cell at an open edge, beyond which the body goes on, gives there or takes from there.
@@ -249,8 +297,9 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
   if (!b.near_surface || b.reach.size() == 0) return;
   MovesView<Dim> p(state, body, slot, 2, scratch);
   int listed = 0;
-  int* senders = list_senders(p, listed, scratch, [](CellKind kind, double volume, double /*full*/) {
-    return (kind != CellKind::full) & (volume != 0);
+  const bool may_fail = can_fail(body.material.damage);
+  int* senders = list_senders(p, listed, scratch, [may_fail](CellKind kind, double volume, double /*full*/) {
+    return ((kind != CellKind::full) & (volume != 0)) | (may_fail & (volume < 0) & (kind == CellKind::full));
   });
   const auto stays = [&](int k) {
     return p.kind[k] == CellKind::cut && !is_last_at_edge(p, p.window.box().index(k));
@@ -259,9 +308,9 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
   if (count == 0) return;
   p.gather_phi();
   p.gather_others();
-  const bool may_stay = can_fail(body.material.damage);
   transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     Transfer<Dim> t;
+    if (p.kind[p.window.at(i)] == CellKind::full) return taken_in(p, i);
     const bool leaves = leaves_domain(p, i);
     if (!leaves && p.kind[p.window.at(i)] == CellKind::cut) return t;
     t.to = leaves ? i : with_room(p, i, p.neighbour(i, -1));
@@ -271,7 +320,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
     t.state_cell = i;
     t.factor = 1;
     t.everything = true;
-    if (t.any && !leaves && may_stay) {
+    if (t.any && !leaves && may_fail) {
       const auto from = p.window.source_inside(i);
       if (is_alone(state, body, from.slot, from.cell))
         keep_without_room(p, i, has_failed(body.at(from.slot), static_cast<std::size_t>(from.cell)), t);
@@ -295,26 +344,9 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccoun
   p.gather_phi();
   const bool may_fail = can_fail(body.material.damage);
   transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
-    Transfer<Dim> t;
-    double e = p.volume[p.window.at(i)] - p.full(i);
-    if (open_edge_along(p, i, 1).axis >= 0) return across_edge(p, i, e, edges);
-    t.to = p.neighbour(i, 1);
-    if (t.to == i || !p.takes_part(i)) return t;
-    const double there = p.volume[p.window.at(t.to)];
-    bool from_own = e > 0 || there < std::max(ample_times * std::abs(e), ample_fill * p.full(t.to));
-    if (from_own && !(p.volume[p.window.at(i)] > least_state_fill * p.full(i))) {
-      // A cell that the geometry gives to the body before anything of it is there has no state to go by.
-      if (!(there > least_state_fill * p.full(t.to))) return t;
-      from_own = false;
-      e = std::max(e, -most_lent * there);
-    }
-    if (e < 0 && from_own && (there + e < least_volume(p, i) || (may_fail && takes_more_mass(p, i, t.to, e))))
-      return t;
-    t.any = true;
-    t.volume = e;
-    t.state_cell = from_own ? i : t.to;
-    t.factor = e / p.volume[p.window.at(t.state_cell)];
-    return t;
+    const double excess = p.volume[p.window.at(i)] - p.full(i);
+    if (open_edge_along(p, i, 1).axis >= 0) return across_edge(p, i, excess, edges);
+    return made_full(p, i, excess, may_fail);
   });
 }
 

@@ -116,7 +116,7 @@ template <int Dim>
 void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot) {
   BodyBlock<Dim>& b = body.at(slot);
   if (!b.near_surface) return;
-  const double dx = state.grid().dx;
+  const double dx = state.grid().dx, thinnest = thinnest_failed * density(body.material);
   for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     // Deeper than phi is kept there is no way outwards by which a cell could be filled.
     const bool failed = has_failed(b, k), deep = b.phi[k] <= -far_cells * dx;
@@ -124,7 +124,7 @@ void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot) {
     const double others = volume_of_others(state, body, slot, k);
     const double room = state.grid().full_volume(i) - others, v = b.volume[k];
     const CellKind kind = b.end_geometry.kind[k];
-    const bool lacks = kind == CellKind::full && v < room;
+    const bool lacks = kind == CellKind::full && v < room && (deep || b.contents[k] > thinnest * room);
     const bool exceeds = failed && (kind != CellKind::empty || others > 0) && v > room;
     if (lacks)
       b.volume[k] = room;

@@ -33,9 +33,10 @@ std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slo
 
 /// Fits the voids of failed matter to the room that other bodies leave in its cells, instead of moving
 /// matter: a cell that the geometry shows full is filled up with void, and what is beyond the room is taken
-/// off the void, as far as there is any. Bodies do so in their order. Far within (phi <= -far_cells dx) a
-/// cell that lacks volume is filled up whatever its matter: fill_inside() has no way outwards there, and the
-/// tension that comes of it is judged as any other.
+/// off the void, as far as there is any. Bodies do so in their order. A cell that void would make thinner
+/// than thinnest_failed is left to fill_inside(): stencils could not use it, and its faces would let out what
+/// its neighbours have. Far within (phi <= -far_cells dx) a cell that lacks volume is filled up whatever its
+/// matter: fill_inside() has no way outwards there, and the tension that comes of it is judged as any other.
 template <int Dim>
 void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot);
 

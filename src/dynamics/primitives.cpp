@@ -29,8 +29,7 @@ constexpr double least_averaged = 0.1, thinnest_averaged = 0.4, densest_averaged
 // The mean of Runge and Kutta of a fragment that has lost more than this part of its volume in the step is
 // one of an old volume and a negative one: it lies outside of the two states.
 constexpr double least_of_old = 0.75;
-constexpr double thinnest_used = 0.4;  // likewise: a fragment below it is of no use to fits and stencils ...
-constexpr double thinnest_failed = 1e-3;  // ... unless it has failed (of rho0): then most of it may be void
+constexpr double thinnest_used = 0.4;  // likewise: a fragment below it is of no use to fits and stencils
 constexpr double near_front =
     1.5;                          // [cells] from a surface of gas, where it may soon run at its escape speed
 constexpr double near_rigid = 3;  // [cells] from a rigid body, which may soon carry matter along

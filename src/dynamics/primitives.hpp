@@ -10,6 +10,10 @@
 
 namespace recoil {
 
+/// Failed matter may be as thin as this part of its density at rest, since most of it may be void; what is
+/// thinner is of no use to fits and stencils.
+inline constexpr double thinnest_failed = 1e-3;
+
 /// Contents per volume of one cell to primitives.
 template <int Dim, class EosModel>
 Primitives<Dim> to_primitives(const EosModel& eos, const Contents<Dim>& q, double volume) {

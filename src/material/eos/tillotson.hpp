@@ -26,7 +26,7 @@ struct Tillotson {
   static constexpr const char* kind = "tillotson";
   static constexpr const char* doc = "Tillotson: from compression to vapour";
   static constexpr bool barotropic = false;
-  static constexpr DensityRange range{0.01, 5};
+  static constexpr DensityRange range{0.001, 5};
 
   static constexpr auto parameters() {
     using T = Tillotson;
@@ -78,6 +78,8 @@ struct Tillotson {
   }
 
   constexpr bool admissible(double rho) const { return rho > 0; }
+  /// Its vapour goes on expanding.
+  static constexpr bool evaporates() { return true; }
   constexpr double largest_density() const { return infinite; }
 
  private:

@@ -59,6 +59,17 @@ TYPED_TEST(Voids, FillTheRoomThatOtherBodiesLeave) {
   this->expect(state, 0.9);
 }
 
+/// What void would make thinner than stencils can use is left to the moves of volume.
+TYPED_TEST(Voids, DoNotFillCellsThatHoldNextToNothing) {
+  auto state = this->filled(1, 0);
+  for_each_piece(state, 0, [&](auto& b, const auto&, std::size_t k) {
+    const std::size_t n = b.volume.size();
+    b.volume[k] *= 1e-3, b.phi[k] = -5 * this->grid.dx;
+    for (std::size_t c = 0; c < TestFixture::C::contents; ++c) b.contents[c * n + k] *= 1e-3;
+  });
+  this->expect(state, 1e-3);
+}
+
 /// Matter that has not failed is filled up only where the level set knows no way outwards.
 TYPED_TEST(Voids, FillCellsThatNothingElseCanFill) {
   auto deep = this->filled(0.5, 0), near_surface = this->filled(0.5, 0);
