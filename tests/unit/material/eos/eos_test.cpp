@@ -242,6 +242,26 @@ TEST(Tillotson, VapourIsAGasAndFormsMeet) {
   EXPECT_NEAR(eos.pressure(2700 * (1 - 1e-9), 2e7), eos.pressure(2700 * (1 + 1e-9), 2e7), 1e3);
 }
 
+/// Ice that has half evaporated is an admissible state and has its own speed of sound, as metals' vapours do.
+TEST(Tillotson, VapourIsSlowAndThin) {
+  const Tillotson ice{917, .3, .1, 9.47e9, 9.47e9, 1e7, 10, 5, 7.73e5, 3.04e6};
+  const double rho = 0.003 * 917, c2 = ice.sound_speed_squared(rho, ice.pressure(rho, 1e6));
+  EXPECT_GT(c2, least_sound_squared(ice));
+  EXPECT_LT(c2, 0.05 * 9.47e9 / 917);  // the floor of a solid
+  EXPECT_LT(density_range(ice).least, 0.003);
+}
+
+/// Without pressure, beside the saturated liquid of the steam tables (100, 200, 300 C) [MJ/kg above 25 C]:
+/// constants of the library, nothing fitted.
+TEST(MieGruneisenCubic, WaterIsALiquidUntilItHasItsHeatOfEvaporation) {
+  MieGruneisenCubic water{998, 1480, 2.56, -1.986, 0.2268, 0.5, 0, 2.44e6, 0.33};
+  EXPECT_NEAR(water.energy(958.35, 0) * 1e-6, 0.314, 0.15);
+  EXPECT_NEAR(water.energy(864.7, 0) * 1e-6, 0.746, 0.16);
+  EXPECT_NEAR(water.energy(712.1, 0) * 1e-6, 1.228, 0.03);
+  water.sublimation = 0;
+  EXPECT_LT(water.energy(712.1, 0), 0.45e6);  // Morse's potential
+}
+
 /// A shock in air, exact: U_s = (gamma + 1)/4 u + sqrt(((gamma + 1)/4 u)^2 + c0^2).
 TEST(IdealGas, HasTheHugoniotOfAnIdealGas) {
   const IdealGas air{1.2, 1.4, 101325};
