@@ -97,17 +97,20 @@ def head(rng, number, geometry, periodic, end):
     return text + f'\n[output]\nreport = false\nfields = {{ every = "{end:.3g} us" }}\n\n'
 
 
-def damage_line(material):
-    """The key that lets a material break by tension."""
-    return f'damage = {{ kind = "tensile", threshold = "{TENSION[material.split("/")[0]]} GPa", exponent = 1, time = "0.02 us" }}\n'
+def material_table(name, material, breaks=True):
+    """A material as a table of the case file. One that `breaks` does so by tension, unless its own file says how."""
+    damage = f'damage = {{ kind = "tensile", threshold = "{TENSION[material.split("/")[0]]} GPa", exponent = 1, time = "0.02 us" }}\n'
+    return f'[material.{name}]\nbase = "{material}"\n{damage if breaks and not has_damage(material) else ""}\n'
 
 
-def material_table(rng, name):
+def has_damage(material):
+    """Whether a material of the library has a damage of its own."""
+    return "johnson-holmquist" in material
+
+
+def random_material(rng, name):
     material = rng.choice(METALS if rng.random() < 0.8 else OTHERS)
-    text = f'[material.{name}]\nbase = "{material}"\n'
-    if "johnson-holmquist" not in material and rng.random() < 0.7:  # that one has a damage of its own
-        text += damage_line(material)
-    return text + "\n"
+    return material_table(name, material, has_damage(material) or rng.random() < 0.7)
 
 
 def random_impact(number):
@@ -124,14 +127,14 @@ def random_impact(number):
     if geometry != "axisymmetric":
         velocity["x"] = rng.choice((0, 0, 0.6)) * speed
     way = ", ".join(f'{a} = "{v:.4g} m/s"' for a, v in velocity.items())
-    text += material_table(rng, "first") + f'[body.striker]\nmaterial = "first"\nshape = {{ {striker} }}\nvelocity = {{ {way} }}\n'
+    text += random_material(rng, "first") + f'[body.striker]\nmaterial = "first"\nshape = {{ {striker} }}\nvelocity = {{ {way} }}\n'
     if geometry == "planar" and rng.random() < 0.2:
         text += f'spin = "{rng.uniform(-3e4, 3e4):.4g} rad/s"\nspin-centre = {point(x=-2, y=3)}\n'
     if rng.random() < 0.1:
         text += 'temperature = "500 K"\n'
     if rng.random() < 0.15:
         return text + f'\n[body.target]\nrigid = true\nshape = {{ kind = "half-space", point = {point(**{up: 0})}, normal = {{ {up} = 1 }} }}\n'
-    text += "\n" + material_table(rng, "second") + f'[body.target]\nmaterial = "second"\nshape = {{ {target} }}\n'
+    text += "\n" + random_material(rng, "second") + f'[body.target]\nmaterial = "second"\nshape = {{ {target} }}\n'
     if rng.random() < 0.4:
-        text += "\n" + material_table(rng, "third") + f'[body.third]\nmaterial = "third"\nshape = {{ {third} }}\n'
+        text += "\n" + random_material(rng, "third") + f'[body.third]\nmaterial = "third"\nshape = {{ {third} }}\n'
     return text
