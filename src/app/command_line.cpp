@@ -122,8 +122,10 @@ int report_usage(const Commands& commands, const CLI::ParseError& e, int argc, c
 int fail(ExitCode code, const std::string& text) {
   if (speaks()) {
     std::fflush(stdout);
-    const std::string all = fmt::format("{}{}{}", text.starts_with("error") ? "" : "error: ", printable(text),
-                                        text.ends_with('\n') ? "" : "\n");
+    const bool has_head =
+        text.starts_with("error") || text.starts_with("warning");  // what is wrong comes later
+    const std::string all =
+        fmt::format("{}{}{}", has_head ? "" : "error: ", printable(text), text.ends_with('\n') ? "" : "\n");
     std::fputs(all.c_str(), stderr);  // which throws nothing where that cannot be written either
   }
   return code;

@@ -176,6 +176,10 @@ class Check(Program):
 
     def test_logic(self):
         self.expect(recoil("check", FLYER, "--set", 'body.flyer.shape.x=["-2 mm", "0.5 mm"]'), 2, "overlap")
+        done = recoil("run", FLYER, "-o", self.folder / "none", "--set", 'body.flyer.shape.x=["-2 mm", "0.5 mm"]',
+                      "--set", 'body.flyer.material="copper/seed"')
+        self.expect(done, 2, "overlap")
+        self.assertTrue(done.stderr.startswith("warning: material 'copper/seed' is in doubt"), done.stderr)
         self.expect(recoil("check", FLYER, "--set", "gauge.rear.at.x=14mm"), 2, "not on the surface")
         self.expect(recoil("check", FLYER, "--set", "mesh.finest=0.5mm"), 0, "4 cells thick", "0.1 mm")
 
