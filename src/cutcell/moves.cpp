@@ -23,7 +23,8 @@ constexpr double rounding = 1e-13;         // a smaller excess over a whole cell
 constexpr double counted_excess = 0.01;    // nearer to its bounds a volume is moved but not counted
 constexpr double ample_fill = 0.3;   // a neighbour with less does not lend to a cell that lacks volume ...
 constexpr double ample_times = 4;    // ... nor one with less than so many times what is lacking
-constexpr double most_lent = 0.5;    // of what a neighbour has, it gives to a cell without a state
+constexpr double most_lent = 0.5;    // of what a neighbour has, it gives in its own state
+constexpr double least_left = 0.5;   // a neighbour that would keep less of its density gives in its own state
 constexpr double fullest_times = 2;  // what takes a negative volume in has more than so many times as much
 constexpr double like_speed = 50;    // [m/s] moving otherwise by so much halves the rank of what takes it in
 constexpr double least_surface = 0.02;       // area that a surface counts with in the exchange along it
@@ -134,13 +135,19 @@ double least_volume(const MovesView<Dim>& p, const Index<Dim>& i) {
   return p.thin(i) ? 0.0 : -open_bound * p.full(i);
 }
 
-/// Whether volume e < 0 that cell i takes from another one, in its own state, has more mass than that holds:
-/// most of it may be void.
+/// The most volume [m^Dim] that cell i takes from another one in its own state, so that it leaves that at
+/// least the part `least_left` of its density: most of it may be void.
 template <int Dim>
-bool takes_more_mass(const MovesView<Dim>& p, const Index<Dim>& i, const Index<Dim>& from, double e) {
-  const double there = p.contents(from)[0];
-  return there > 0 && p.volume[p.window.at(from)] + e > 0 &&
-         there + e * p.contents(i)[0] / p.volume[p.window.at(i)] < 0;
+double most_taken(const MovesView<Dim>& p, const Index<Dim>& i, const Index<Dim>& from) {
+  const double mass = p.contents(from)[0], left = least_left * mass / p.volume[p.window.at(from)],
+               taken = p.contents(i)[0] / p.volume[p.window.at(i)];
+  return mass > 0 && left < taken ? (1 - least_left) * mass / (taken - left) : infinite;
+}
+
+template <int Dim>
+bool failed_at(const MovesView<Dim>& p, const Index<Dim>& i) {
+  const Contents<Dim> q = p.contents(i);
+  return q[Components<Dim>::damage] >= failed_damage * q[0];
 }
 
 /// All that cell i holds, a negative volume, for the fullest cell around to take in.
@@ -199,15 +206,21 @@ Transfer<Dim> made_full(const MovesView<Dim>& p, const Index<Dim>& i, double exc
   const bool passes_on = excess > 0,
              ample = there >= std::max(ample_times * std::abs(excess), ample_fill * p.full(t.to));
   bool in_own_state = passes_on || !ample;
-  if (in_own_state && !(own > least_state_fill * p.full(i))) {
+  if (in_own_state) {
     // A cell that the geometry gives to the body before anything of it is there has no state to go by.
-    if (!(there > least_state_fill * p.full(t.to))) return t;
-    in_own_state = false;
-    excess = std::max(excess, -most_lent * there);
+    bool neighbours_state = !(own > least_state_fill * p.full(i));
+    if (!passes_on && !neighbours_state && may_fail) {
+      const double most = most_taken(p, i, t.to);
+      neighbours_state = -excess > most && failed_at(p, i);
+      if (!neighbours_state) excess = std::max(excess, -most);  // void would put it under tension
+    }
+    if (neighbours_state) {
+      if (!(there > least_state_fill * p.full(t.to))) return t;
+      in_own_state = false;
+      excess = std::max(excess, -most_lent * there);
+    }
   }
-  if (!passes_on && in_own_state &&
-      (there + excess < least_volume(p, i) || (may_fail && takes_more_mass(p, i, t.to, excess))))
-    return t;
+  if (!passes_on && in_own_state && there + excess < least_volume(p, i)) return t;
   t.any = true;
   t.volume = excess;
   t.state_cell = in_own_state ? i : t.to;

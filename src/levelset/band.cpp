@@ -106,6 +106,17 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
   return choice;
 }
 
+/// Cells beyond the reach of a surface, and cells farther within than phi is kept, have no velocity of
+/// surfaces: not where other cells of their block are near one either, since results do not depend on blocks.
+template <int Dim>
+void clear_far_velocity(BodyBlock<Dim>& b, double dx) {
+  const std::size_t n = b.phi.size();
+  for (std::size_t k = 0; k < n && !b.extension_velocity.empty(); ++k) {
+    if (b.phi[k] < reach_cells * dx && b.phi[k] > -far_cells * dx) continue;
+    for (std::size_t d = 0; d < Dim; ++d) b.extension_velocity[d * n + k] = 0;
+  }
+}
+
 template <int Dim>
 void apply_band(const State<Dim>& state, Body<Dim>& body, int slot, const BandChoice<Dim>& choice) {
   if (!choice.present) {
@@ -119,6 +130,7 @@ void apply_band(const State<Dim>& state, Body<Dim>& body, int slot, const BandCh
   b.reach = choice.near_surface ? choice.reach : state.mesh.block(slot).cells;
   if (!choice.near_surface) b.matter = b.reach;
   const bool void_here = choice.near_surface && choice.reach.size() == 0;
+  if (choice.near_surface && !void_here && !body.rigid) clear_far_velocity(b, state.grid().dx);
   if ((choice.near_surface && !void_here) || (!choice.near_surface && !was_near)) return;
   if (void_here) b.matter = {};
   const CellKind kind = !void_here && b.phi[0] < 0 ? CellKind::full : CellKind::empty;

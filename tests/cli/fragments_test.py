@@ -124,8 +124,7 @@ class Fragments(unittest.TestCase):
         case = self.folder / "whipple"
         recoil("new", "whipple", case)
         for block in ("16", "32"):
-            done = recoil("run", case, "--set", f"mesh.block={block}", "--end", "1.72us", "-j", "1",
-                          "-o", self.folder / f"blocks_{block}")
+            done = recoil("run", case, "--set", f"mesh.block={block}", "-j", "1", "-o", self.folder / f"blocks_{block}")
             self.assertEqual(done.returncode, 6, done.stderr)
         for file in ("history.csv", "events.csv", "fragments.csv", "gauges/debris.csv"):
             self.assertTrue(filecmp.cmp(self.folder / "blocks_16" / file, self.folder / "blocks_32" / file,

@@ -249,27 +249,34 @@ TYPED_TEST(Moves, AThickBodyKeepsADeficitThatWouldTakeItsNeighbourFarBelowZero) 
   }
 }
 
-/// Most of a cell of failed matter may be void. A whole cell that takes volume from it takes mass at its own
-/// density, and leaves what it lacks where that is more than there is.
-TYPED_TEST(Moves, AFullCellTakesNoMoreMassThanFailedMatterHas) {
+/// Most of a cell of failed matter may be void. A whole cell takes volume from it in its own state as long as
+/// half of the density is left; beyond that one that has failed takes half of what is there, void and all.
+TYPED_TEST(Moves, AFullCellLeavesFailedMatterHalfOfItsDensity) {
   constexpr int dim = TestFixture::dim;
-  for (const bool mostly_void : {true, false}) {
+  using C = Components<dim>;
+  const auto under = TestFixture::cell(6, 9), outwards = TestFixture::cell(7, 9);
+  const auto expect = [&](double density, bool fails, double here, double there, double left) {
     auto state = this->slab(7.4);
     state.bodies[0].material.damage = TensileDamage{};
-    const auto under = TestFixture::cell(6, 9), outwards = TestFixture::cell(7, 9);
-    auto sparse = this->one;
-    for (double& c : sparse) c *= mostly_void ? 0.4 : 0.6;
-    this->put(state, under, 0.5 * this->whole(), this->one);
+    auto whole = this->one, sparse = this->one;
+    for (double& c : sparse) c *= density;
+    if (fails) whole[C::damage] = whole[C::rho];
+    sparse[C::damage] = sparse[C::rho];
+    this->put(state, under, 0.5 * this->whole(), whole);
     this->put(state, outwards, 0.9 * this->whole(), sparse);
     this->run(state,
               [&](int s, Scratch& scratch) { fill_inside(state, state.bodies[0], s, this->edges, scratch); });
-    EXPECT_NEAR(this->volume(state, under) / this->whole(), mostly_void ? 0.5 : 1, 1e-12);
+    EXPECT_NEAR(this->volume(state, under) / this->whole(), here, 1e-12);
+    EXPECT_NEAR(this->volume(state, outwards) / this->whole(), there, 1e-12);
     for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
       if (i == outwards) {
-        EXPECT_GT(b.contents[k], 0);
+        EXPECT_NEAR(b.contents[k] / b.volume[k] / this->one[C::rho], left, 1e-12);
       }
     });
-  }
+  };
+  expect(0.9, false, 1, 0.4, (0.81 - 0.5) / 0.4);
+  expect(0.4, false, 0.5 + 0.225, 0.9 - 0.225, 0.2);  // 0.36 - 0.225 of mass
+  expect(0.4, true, 0.5 + 0.45, 0.45, 0.4);
 }
 
 /// Before voids are fitted: a cell beside one that void has filled up would take void in its place.

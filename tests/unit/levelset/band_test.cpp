@@ -1,6 +1,8 @@
 #include "levelset/band.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "../core/dimensions.hpp"
@@ -49,6 +51,26 @@ TYPED_TEST(Bands, BlocksAreKeptWhereTheBodyOrItsSurfaceIs) {
     EXPECT_EQ(b.present, true) << column;
     EXPECT_EQ(b.near_surface, column == 1 || column == 2 || column == 3) << column;
   });
+}
+
+/// A block near the surface keeps what the surface carries along only where one without such cells would.
+TYPED_TEST(Bands, CellsOutOfReachHaveNoVelocityOfSurfaces) {
+  constexpr int dim = TestFixture::dim;
+  this->settle();
+  this->for_each_block([&](int, BodyBlock<dim>& b) {
+    std::fill(b.extension_velocity.begin(), b.extension_velocity.end(), 3.0);
+    for (double& phi : b.phi) phi += 2 * this->grid.dx;  // so that block 2 has cells out of reach
+  });
+  this->settle();
+  int near = 0, out_of_reach = 0, deep = 0;
+  this->for_each_block([&](int column, const BodyBlock<dim>& b) {
+    for (std::size_t k = 0; (column == 1 || column == 2) && k < b.phi.size(); ++k) {
+      const double phi = b.phi[k] / this->grid.dx;
+      ++(phi >= reach_cells ? out_of_reach : phi <= -far_cells ? deep : near);
+      EXPECT_EQ(b.extension_velocity[k], phi < reach_cells && phi > -far_cells ? 3 : 0) << column << " " << k;
+    }
+  });
+  EXPECT_TRUE(near > 0 && out_of_reach > 0 && deep > 0);
 }
 
 TYPED_TEST(Bands, FarBlocksHoldNothing) {
