@@ -59,7 +59,8 @@ TYPED_TEST(Bands, CellsOutOfReachHaveNoVelocityOfSurfaces) {
   this->settle();
   this->for_each_block([&](int, BodyBlock<dim>& b) {
     std::fill(b.extension_velocity.begin(), b.extension_velocity.end(), 3.0);
-    for (double& phi : b.phi) phi += 2 * this->grid.dx;  // so that block 2 has cells out of reach
+    for (double& phi : b.phi)
+      if (phi > 0) phi += 2 * this->grid.dx;  // so that block 2 has cells out of reach
   });
   this->settle();
   int near = 0, out_of_reach = 0, deep = 0;
