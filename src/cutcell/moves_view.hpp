@@ -40,8 +40,7 @@ class MovesView {
     const auto n = static_cast<std::size_t>(window.size());
     double* one = nullptr;
     for (const Body<Dim>& other : state_.bodies) {
-      // A body within a few cells of a block is present in it.
-      if (&other == &body_ || other.rigid || !other.present(slot_)) continue;
+      if (&other == &body_ || other.rigid || !is_near(other)) continue;
       if (!others) others = scratch_.take_filled<double>(n, 0.0);
       if (!one) one = scratch_.take<double>(n);
       window.gather([&](int s) { return other.present(s) ? other.at(s).volume.data() : nullptr; }, 0.0,
@@ -131,6 +130,14 @@ class MovesView {
   CellKind* kind = nullptr;  // [window]
 
  private:
+  /// Whether a body is present in the block or beside it: at their common border both blocks have to find the
+  /// same room, or what passes there would not be the same for both.
+  bool is_near(const Body<Dim>& other) const {
+    const auto& beside = state_.mesh.block(slot_).neighbour;
+    return other.present(slot_) ||
+           std::any_of(beside.begin(), beside.end(), [&](int s) { return s >= 0 && other.present(s); });
+  }
+
   static constexpr double drift = 1.5;  // cells that a surface may move since the reach was found
 
   // A body with less than so many cells of matter in five is thin.

@@ -57,4 +57,11 @@ StartingState state_at_start(const Material& m, std::optional<double> pressure,
   return {far, e, by_work ? t - start : 0.0};
 }
 
+double over_isentrope(const TemperatureLaw& law, const StartingState& start) {
+  const double t = law.unmelted(start.density, start.energy, start.heat);
+  const bool by_energy = law.thermal().rule == Thermal::Rule::energy;
+  return t / (by_energy ? law.on_isentrope(law.solid_density(start.density, 0))
+                        : law.thermal().initial_temperature);
+}
+
 }  // namespace recoil

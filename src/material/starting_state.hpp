@@ -22,4 +22,9 @@ struct StartingState {
 StartingState state_at_start(const Material& material, std::optional<double> pressure,
                              std::optional<double> temperature, const std::string& body);
 
+/// Temperature of a state at the start over that of the isentrope through the state at rest, at its density;
+/// where only plastic work heats, over the material's initial one. With a constant heat capacity and a
+/// Grueneisen coefficient of density alone the ratio stays the same along any isentrope.
+double over_isentrope(const TemperatureLaw& law, const StartingState& start);
+
 }  // namespace recoil

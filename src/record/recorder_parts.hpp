@@ -22,6 +22,7 @@
 #include "gauge/due.hpp"
 #include "gauge/gauges.hpp"
 #include "gauge/pair_sampler.hpp"
+#include "material/starting_state.hpp"
 #include "parallel/archive.hpp"
 #include "record/field_dump.hpp"
 #include "record/findings.hpp"
@@ -127,6 +128,20 @@ inline void write_events(const std::filesystem::path& path, const std::vector<Ev
   file.flush();
 }
 
+/// over_isentrope() of each body at the start of the case; 1 for those that are rigid.
+template <int Dim>
+std::vector<double> starts_over_isentropes(const config::Case& c, const State<Dim>& state) {
+  std::vector<double> ratios(state.bodies.size(), 1);
+  for (std::size_t m = 0; m < ratios.size(); ++m) {
+    const Body<Dim>& body = state.bodies[m];
+    const config::Body& from = c.bodies[m];
+    if (!body.rigid)
+      ratios[m] = over_isentrope(body.temperature,
+                                 state_at_start(body.material, from.pressure, from.temperature, from.name));
+  }
+  return ratios;
+}
+
 template <int Dim>
 struct Recorder<Dim>::Parts {
   const config::Case& case_;
@@ -172,7 +187,7 @@ struct Recorder<Dim>::Parts {
         budget(names, rigid, units.balanced),
         fields(make_folder("fields"), case_name(c), c.output.fields.variables),
         fragments(names, without_cells(state), units),
-        survey(state, c.limits, config::largest_closing_speed(c)),
+        survey(state, c.limits, config::largest_closing_speed(c), starts_over_isentropes(c, state)),
         history_due(c.output.history.every),
         fields_due(c.output.fields.every),
         pairs(pair_count()),

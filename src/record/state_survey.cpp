@@ -67,7 +67,8 @@ double borne_tension(const Material& material, const config::Limits& limits) {
 }
 
 template <int Dim>
-StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& limits, double closing_speed)
+StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& limits, double closing_speed,
+                              const std::vector<double>& over_isentrope)
     : most_fill_(limits.volume_fraction), lines_(state.bodies.size()) {
   for (const Body<Dim>& body : state.bodies) {
     const Material& m = body.material;
@@ -75,6 +76,7 @@ StateSurvey<Dim>::StateSurvey(const State<Dim>& state, const config::Limits& lim
     if (body.rigid) continue;
     b.tension = borne_tension(m, limits);
     b.noise = noise_of(m, body.temperature, closing_speed);
+    if (!over_isentrope.empty()) b.start = over_isentrope[bounds_.size() - 1];
     b.softens = !std::isnan(melting_temperature(m.strength, 1));
     b.no_strength = !has_strength(m.strength);
   }
@@ -150,7 +152,8 @@ void StateSurvey<Dim>::look_at_cell(const Look& look, int m, const Index<Dim>& c
   const TemperatureLaw& law = body.temperature;
   const bool by_energy = law.thermal().rule == Thermal::Rule::energy;
   const double solid = p.density * p.distension / (1 - p.void_fraction);
-  const double coldest = by_energy ? law.on_isentrope(solid) : law.thermal().initial_temperature;
+  const double coldest =
+      bounds_[m].start * (by_energy ? law.on_isentrope(solid) : law.thermal().initial_temperature);
   const double rho0 = density(body.material);
   if (!body.detonation) {  // temperatures of products are not known
     const double heating = p.unmelted - coldest, cells = b.contents[k] / (rho0 * full);

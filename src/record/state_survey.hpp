@@ -27,7 +27,9 @@ class StateSurvey {
  public:
   /// @param closing_speed of the bodies at the start [m/s]: what noise of the temperature is allowed goes
   /// with it.
-  StateSurvey(const State<Dim>& state, const config::Limits& limits, double closing_speed = 0);
+  /// @param over_isentrope of each body's state at the start (over_isentrope()); empty: all start at rest.
+  StateSurvey(const State<Dim>& state, const config::Limits& limits, double closing_speed = 0,
+              const std::vector<double>& over_isentrope = {});
 
   /// Looks at the state of now, which stands for the steps since the last look. Not collective.
   void look(const State<Dim>& state, parallel::Team* team);
@@ -99,6 +101,7 @@ class StateSurvey {
   struct Bounds {
     double tension = 0;        // Pa
     double noise = 0;          // K, that a temperature by energy may be below the isentrope
+    double start = 1;          // temperature on the isentrope through the start over that through rest
     bool softens = false;      // the strength model knows the melting temperature
     bool no_strength = false;  // it is a fluid: nothing to lose by melting
   };

@@ -27,6 +27,23 @@ TYPED_TEST(MovesBesideAnother, TheExchangeAlongASurfaceFillsNoCellBeyondItsRoom)
   }
 }
 
+/// Also where the other body is present on one side of a block's border alone; run() finds what gets lost.
+TYPED_TEST(MovesBesideAnother, BothSidesOfABorderFindTheSameRoom) {
+  constexpr int dim = TestFixture::dim;
+  if (dim == 1) return;
+  auto state = this->beside_another(7.4);
+  const auto swollen = TestFixture::cell(7, 10);
+  auto shared = swollen;
+  --shared[dim - 1];
+  this->put(state, swollen, 0.8 * this->whole(), this->one);
+  this->put(state, shared, 0.6 * this->whole(), this->one, 1);
+  for (int s = 0; s < state.mesh.local(); ++s)
+    if (state.mesh.block(s).cells.contains(swollen)) leave_block(state.bodies[1], s);
+  this->run(state,
+            [&](int s, Scratch& scratch) { exchange_along_surface(state, state.bodies[0], s, scratch); });
+  EXPECT_NEAR(this->volume(state, shared) / this->whole(), 0.4, 1e-12);
+}
+
 /// The emptiest one that other bodies leave.
 TYPED_TEST(MovesBesideAnother, ExcessGoesWhereOtherBodiesLeaveRoom) {
   constexpr int dim = TestFixture::dim;

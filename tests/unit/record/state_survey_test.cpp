@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "../cutcell/bodies.hpp"
+#include "material/starting_state.hpp"
 
 namespace recoil {
 namespace {
@@ -118,6 +119,28 @@ TEST(StateSurvey, ColderThanTheIsentropeIsCounted) {
   EXPECT_EQ(count(seen(full_of(m, 0)), StateCheck::negative_heat), 0);
   EXPECT_EQ(count(seen(full_of(m, -900)), StateCheck::negative_heat), 0) << "noise";
   EXPECT_GT(count(seen(full_of(m, -3e3)), StateCheck::negative_heat), 0);
+}
+
+TEST(StateSurvey, MatterThatStartsColdIsHeldAgainstItsOwnIsentrope) {
+  const Material m = copper_with(Elastic{43e9}, Thermal::Rule::energy);
+  const TemperatureLaw law = temperature_law(m);
+  const StartingState start = state_at_start(m, 1e9, 150, "plate");
+  const double ratio = over_isentrope(law, start);
+  EXPECT_NEAR(ratio * law.on_isentrope(start.density), 150, 1e-9);
+  EXPECT_EQ(over_isentrope(law, state_at_start(m, {}, {}, "plate")), 1);
+  auto state = full_of(m, 0);
+  Contents<2> q{};
+  q[0] = start.density;
+  q[Components<2>::energy] = start.density * start.energy;
+  fill_body(state, 0, q);
+  const auto cold = [&](const std::vector<double>& over) {
+    StateSurvey<2> survey(state, {}, 0, over);
+    survey.look(state, nullptr);
+    return count(survey.own_evidence(state, nullptr).at(0), StateCheck::negative_heat);
+  };
+  EXPECT_GT(cold({}), 0);
+  EXPECT_EQ(cold({ratio}), 0);
+  EXPECT_GT(cold({1.1 * ratio}), 0);
 }
 
 TEST(StateSurvey, HeatAndMatterWithoutRoomAreMeasured) {
