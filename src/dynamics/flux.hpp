@@ -125,7 +125,8 @@ const double* find_pulls(const Row<Dim>& in, double* pulls) {
 
 /// Completes one side: p from the stress, and c_L into `sound`. States out of bounds are replaced by the
 /// average of their cell. @param shift distance in memory from a face's upper cell to the one on this side.
-/// @returns how many states were replaced.
+/// @returns how many states of regular cells were replaced. Ghosts have no better value than their own: those
+/// beyond the free surface of a gas have no pressure, and no speed of sound.
 template <int Dim, int Axis>
 int complete_side(const AnyEos& eos, const StateBounds& bounds, const Row<Dim>& in, std::ptrdiff_t shift,
                   FaceValues<Dim>& w, int from, double* sound) {
@@ -142,10 +143,12 @@ int complete_side(const AnyEos& eos, const StateBounds& bounds, const Row<Dim>& 
   for (int i = 0; i < in.count; ++i) {
     double* value = &w.value[0][i + from];
     if (bounds.admit(value[0], own[i], eos.sound_speed_squared(value[0], p[i], crushed[i]))) continue;
-    if (in.failed && in.failed[in.first + i + shift] == with_void) --bad;  // left to solve_failed_faces()
+    const std::ptrdiff_t k = in.first + i + shift;
+    const bool with_voids = in.failed && in.failed[k] == with_void;  // left to solve_failed_faces()
+    if (with_voids || (in.role && (in.role[k] & regular) == 0)) --bad;
     for (std::size_t c = 0; c < C::primitives; ++c)
-      value[c * FaceValues<Dim>::room] = in.primitive[c * in.cells + in.first + i + shift];
-    w.stress[i + from] = in.stress[in.first + i + shift];
+      value[c * FaceValues<Dim>::room] = in.primitive[c * in.cells + k];
+    w.stress[i + from] = in.stress[k];
     sound[i] =
         bounds.longitudinal_speed(value[0], eos.sound_speed_squared(value[0], p[i], crushed[i]), shear[i]);
   }

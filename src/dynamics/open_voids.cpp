@@ -18,6 +18,8 @@ namespace {
 
 constexpr double whole = 0.98;   // part of a cell from which on it counts as whole
 constexpr double crowded = 1.1;  // cells of matter in one from which on its level set makes room
+constexpr double most_squeezed = 0.5;  // of its volume, to which gas is compressed at most in a step ...
+constexpr double densest_gas = 0.5;    // ... or to this part of the largest density that it takes
 
 /// Radius [cells] of a ball (disc, layer) of so many cells.
 template <int Dim>
@@ -133,11 +135,26 @@ void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot) {
   });
 }
 
+template <int Dim>
+void fit_gas(const State<Dim>& state, Body<Dim>& body, int slot) {
+  BodyBlock<Dim>& b = body.at(slot);
+  if (!b.near_surface) return;
+  const double densest = densest_gas * density_range(body.material.eos).most * density(body.material);
+  for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    const double full = state.grid().full_volume(i), v = b.volume[k];
+    if (!(b.contents[k] > 0) || !(v > 0)) return;
+    const double others = volume_of_others(state, body, slot, k);
+    if (!(others > 0) || v + others <= crowded * full) return;
+    b.volume[k] = std::min(v, std::max({full - others, most_squeezed * v, b.contents[k] / densest}));
+  });
+}
+
 #define RECOIL_INSTANTIATE(Dim)                                                        \
   template bool mark_open<Dim>(const State<Dim>&, Body<Dim>&, int);                    \
   template std::int64_t open_voids<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&); \
   template std::int64_t restore_level_set<Dim>(const State<Dim>&, Body<Dim>&, int);    \
-  template void fit_voids<Dim>(const State<Dim>&, Body<Dim>&, int);
+  template void fit_voids<Dim>(const State<Dim>&, Body<Dim>&, int);                    \
+  template void fit_gas<Dim>(const State<Dim>&, Body<Dim>&, int);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

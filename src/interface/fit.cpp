@@ -194,6 +194,10 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const Donor<Dim>* dono
     if (!gas->reached) ++counters.clamped_fit_densities;
     wall.value[C::rho] = gas->rho;
     wall.value[C::p] = gas->p;
+  } else if (std::is_same_v<EosModel, Jwl>) {
+    const IsentropePoint moved = follow_isentrope(body.material.eos, rho, mean_p, 0, wall.value[C::p]);
+    if (!moved.reached) ++counters.clamped_fit_densities;
+    wall.value[C::rho] = moved.rho;
   } else {
     const double change = (wall.value[C::p] - mean_p) / c2,
                  kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);

@@ -101,8 +101,8 @@ MovedDensity density_at(const Material& material, double rho, double p0, double 
   const double change = (p - p0) / c2,
                kept = std::clamp(change, -deepest_rarefaction * rho, highest_compression * rho);
   if (std::abs(kept - change) <= rounding * rho) return {rho + kept, false};
-  // Thin matter has voids, which close before it is compressed.
-  if (change > 0 && rho < density(material)) return {rho + kept, true};
+  // Thin matter that is no gas has voids, which close before it is compressed.
+  if (change > 0 && rho < density(material) && !is_fluid(material.eos)) return {rho + kept, true};
   const IsentropePoint far = follow_isentrope(material.eos, rho, p0, crushed, p);
   return {far.rho, !far.reached};
 }

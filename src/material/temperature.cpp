@@ -33,11 +33,11 @@ void TemperatureLaw::tabulate(const Tabular& eos) {
 }
 
 /// Integrates de/drho = p/rho^2 from rest both ways by the classical Runge-Kutta rule: from 0.4 rho0, or
-/// the least density that the material has, to the largest admissible one, at most 4 rho0.
+/// the least density that the material has (at least 8e-6 rho0), to the largest admissible one, at most 4 rho0.
 template <class Model>
 void TemperatureLaw::fill(const Model& eos) {
   const DensityRange range = density_range(eos);
-  const double part_below = 1 - std::min(0.4, 0.8 * range.least);
+  const double part_below = 1 - std::min(0.4, 0.8 * std::max(range.least, 1e-5));
   const int below = static_cast<int>(std::lround(part_below / 3e-4));
   rho0_ = eos.rho0;
   spacing_ = part_below * rho0_ / below;

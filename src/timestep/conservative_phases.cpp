@@ -14,6 +14,7 @@
 #include "interface/fit.hpp"
 #include "interface/walls.hpp"
 #include "levelset/transport.hpp"
+#include "material/eos/isentrope.hpp"
 #include "state/beside_contact.hpp"
 #include "timestep/detonation.hpp"
 #include "timestep/rigid_bodies.hpp"
@@ -155,6 +156,7 @@ void fit_voids(StepRun<Dim>& step) {
   static constexpr FieldAccess access{"fit voids", {}, contents | end_geometry | phi, volume};
   step.queue_each_body(StepPhase::moves, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     if (can_fail(body.material.damage)) fit_voids(step.state(), body, slot);
+    if (is_gas(body.material.eos)) fit_gas(step.state(), body, slot);
   });
 }
 

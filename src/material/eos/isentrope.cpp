@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <variant>
 
 namespace recoil {
+
+bool is_gas(const Eos& eos) {
+  const auto* gas = std::get_if<IdealGas>(&eos);
+  return gas ? gas->p_inf == 0 : std::holds_alternative<Jwl>(eos);
+}
 
 std::optional<IsentropePoint> gas_isentrope(const Eos& eos, double rho, double p, double to) {
   const auto* gas = std::get_if<IdealGas>(&eos);
@@ -21,7 +27,8 @@ std::optional<IsentropePoint> gas_isentrope(const Eos& eos, double rho, double p
 IsentropePoint follow_isentrope(const Eos& eos, double rho, double p, double crushed, double to) {
   constexpr double step = 0.02;  // of ln(rho)
   return std::visit(
-      [&](const auto& model) {
+      [&]<class Model>(const Model& model) {
+        const bool into_nothing = std::is_same_v<Model, Jwl> && to <= 0;
         const auto& matter = frozen(model, crushed);
         const double least = least_wall_sound_squared(matter);
         const auto modulus = [&](double density, double pressure) {
@@ -35,7 +42,7 @@ IsentropePoint follow_isentrope(const Eos& eos, double rho, double p, double cru
           const double half = density * std::exp(0.5 * dp / here);
           const double by = dp / modulus(half, now + 0.5 * dp);
           if (!(std::abs(change + by) <= most_change))  // or not a number
-            return IsentropePoint{rho * std::exp(std::copysign(most_change, left)), to, 0, false};
+            return IsentropePoint{rho * std::exp(std::copysign(most_change, left)), to, 0, into_nothing};
           change += by;
           density = rho * std::exp(change);
           now += dp, left -= dp;

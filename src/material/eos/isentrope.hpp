@@ -13,6 +13,9 @@ struct IsentropePoint {
   bool reached = true;    // whether p is the pressure asked for; else the limit of density came first
 };
 
+/// Whether matter is a gas: an ideal one, or the products of a detonation.
+bool is_gas(const Eos& eos);
+
 /// The most that the density of a gas may change along an isentrope, as a factor either way.
 inline constexpr double most_expansion = 20;
 
@@ -28,7 +31,9 @@ inline constexpr double most_change = 1;
 
 /// The density [kg/m3] at pressure `to` [Pa] on the isentrope through (rho, p) of any matter, by the midpoint
 /// rule for d(ln rho)/dp = 1/(rho c^2) in steps of at most a fiftieth of the density; c^2 is at least that
-/// of least_wall_sound_squared(). Without `speed`. @param crushed as in eos.hpp.
+/// of least_wall_sound_squared(). Without `speed`. Products of a detonation have no state without pressure:
+/// where they expand into nothing, to <= 0, the last one is that at the limit of density, and is reached.
+/// @param crushed as in eos.hpp.
 IsentropePoint follow_isentrope(const Eos& eos, double rho, double p, double crushed, double to);
 
 }  // namespace recoil
