@@ -19,7 +19,6 @@ DAMAGE = {
     "minimum-pressure": 'kind = "minimum-pressure", tension = "1.2 GPa"',
     "mean": 'kind = "tensile", threshold = "1.5 GPa", exponent = 2, time = "0.05 us", length = "0.6 mm"',
 }
-FAILED = ("", 'failed = { friction = 0.5 }\n', "")
 UP = {"planar": "y", "axisymmetric": "z", "3d": "z"}
 EXTENT = {"planar": {"x": (-10, 10), "y": (-8, 10)}, "axisymmetric": {"r": (0, 10), "z": (-8, 10)},
           "3d": {"x": (-6, 6), "y": (0, 6), "z": (-5, 7)}}

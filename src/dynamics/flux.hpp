@@ -10,6 +10,7 @@
 #include "kernels/row_kernels.hpp"
 #include "kernels/strong_shocks.hpp"
 #include "material/eos/any_eos.hpp"
+#include "material/eos/isentrope.hpp"
 
 namespace recoil {
 
@@ -64,7 +65,10 @@ void reconstruct(const AnyEos& eos, const Row<Dim>& in, int to, FaceValues<Dim>&
   const auto plain = [&](int c, double least) {
     detail::reconstruct_plain(of(c), in.step, in.count, least, cells, ends(c));
   };
-  plain(C::rho, 1e-6 * eos.rho0 * eos.rho0);
+  // A gas may thin out to any density: its weights have to see changes of any size, as far as a product of
+  // six measures of smoothness is a number.
+  const bool gas = is_gas(eos.eos);
+  plain(C::rho, gas ? 1e-45 : 1e-6 * eos.rho0 * eos.rho0);
   plain(C::ep, 1e-12);
   if (eos.porous)
     detail::reconstruct_crushed(eos.porous->alpha0, 1e-6 * eos.rho0 * eos.rho0, of(C::rho), of(C::crushed),
@@ -75,7 +79,8 @@ void reconstruct(const AnyEos& eos, const Row<Dim>& in, int to, FaceValues<Dim>&
   if (eos.barotropic) plain(C::extra, 1e-2);
 
   detail::reconstruct_waves(in.stress + in.first, of(C::u + Axis), in.impedance + in.first, in.step, in.count,
-                            cells, {low.stress + to, high.stress + to}, ends(C::u + Axis));
+                            gas ? 1e-40 : detail::stress_scale, cells, {low.stress + to, high.stress + to},
+                            ends(C::u + Axis));
   for (int t = 0; t < Dim; ++t) {
     if (t == Axis) continue;
     const int u = C::u + t, tau = C::s + C::stress(Axis, t);

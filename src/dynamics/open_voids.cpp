@@ -16,8 +16,8 @@ namespace recoil {
 
 namespace {
 
-constexpr double whole = 0.98;   // part of a cell from which on it counts as whole
-constexpr double crowded = 1.1;  // cells of matter in one from which on its level set makes room
+constexpr double whole = 0.98;         // part of a cell from which on it counts as whole
+constexpr double crowded = 1.1;        // cells of matter in one from which on its level set makes room
 constexpr double most_squeezed = 0.5;  // of its volume, to which gas is compressed at most in a step ...
 constexpr double densest_gas = 0.5;    // ... or to this part of the largest density that it takes
 

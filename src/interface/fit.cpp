@@ -146,6 +146,17 @@ double calm_part(const Material& material, double range, double modulus) {
   return std::clamp((shocked_range * softer - range) / ((shocked_range - calm_range) * softer), 0.0, 1.0);
 }
 
+/// The least pressure [Pa] that a fit may show at a surface: a gas cannot pull, and where it expands into
+/// nothing a line through the donors' pressures ends below zero. @param lowest of the donors.
+template <class EosModel>
+double least_pressure(const EosModel& eos, double lowest) {
+  constexpr double part = 0.1;
+  if constexpr (std::is_same_v<EosModel, Jwl>) return lowest > 0 ? part * lowest : lowest;
+  if constexpr (std::is_same_v<EosModel, IdealGas>)
+    if (eos.p_inf == 0 && lowest + eos.p0 > 0) return part * (lowest + eos.p0) - eos.p0;
+  return -infinite;
+}
+
 /// Limits a fitted velocity to the ball around the box that the donors' velocities are in, with a radius
 /// larger by the part 2 `outside`. A limit component by component cuts off a body that turns where its donors
 /// hardly differ in one component but do in another, as at the corners of a square.
@@ -188,6 +199,7 @@ void evaluate(const EosModel& eos, const Body<Dim>& body, const Donor<Dim>* dono
                     : velocity                ? at_surface
                                               : std::clamp(at_surface, low - slack, high + slack);
   }
+  wall.value[C::p] = std::max(wall.value[C::p], least_pressure(eos, sums.low[C::p]));
   limit_velocity(sums, outside, wall);
   const double rho = wall.value[C::rho];
   if (const auto gas = gas_isentrope(body.material.eos, rho, mean_p, wall.value[C::p])) {

@@ -222,7 +222,9 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
   const double stress = wall.traction + std::clamp(g.stress * ghost.distance, -most_s, most_s);
   const auto gas = gas_state(material, v, s, wall.traction, stress);
   const NormalState normal = gas ? *gas : linear_state<Dim>(material, v, s, wall.traction, stress);
-  if (normal.clamped) ++counters.clamped_ghost_densities;
+  // Beyond the free surface of products is nothing, and no density that theirs would have to reach.
+  const bool into_nothing = wall.partners == 0 && std::holds_alternative<Jwl>(material.eos);
+  if (normal.clamped && !into_nothing) ++counters.clamped_ghost_densities;
   v[C::rho] = normal.rho;
   v[C::p] = normal.p;
   Change<Dim> x;

@@ -74,14 +74,14 @@ template <class Cell>
 /// reconstruct_waves() of cell i. @returns whether it is rough.
 template <How how>
 [[gnu::always_inline]] inline double reconstruct_pair(const double* stress, const double* u, double z,
-                                                      std::ptrdiff_t step, int i, bool smooth,
+                                                      std::ptrdiff_t step, int i, double least, bool smooth,
                                                       RowEnds stress_ends, RowEnds u_ends) {
   double rough_plus = 0, rough_minus = 0;
   const double half = 0.5 / z;
   const Ends plus = ends_of<how>([&](std::ptrdiff_t k) { return mul_add(z, u[i + k], stress[i + k]); }, step,
-                                 stress_scale, smooth, rough_plus);
+                                 least, smooth, rough_plus);
   const Ends minus = ends_of<how>([&](std::ptrdiff_t k) { return mul_add(-z, u[i + k], stress[i + k]); },
-                                  step, stress_scale, smooth, rough_minus);
+                                  step, least, smooth, rough_minus);
   stress_ends.low[i] = 0.5 * (plus.low + minus.low);
   stress_ends.high[i] = 0.5 * (plus.high + minus.high);
   u_ends.low[i] = (plus.low - minus.low) * half;
@@ -133,9 +133,9 @@ void reconstruct_plain(const double* q, std::ptrdiff_t step, int count, double l
 
 RECOIL_MULTIVERSION
 void reconstruct_waves(const double* stress, const double* u, const double* impedance, std::ptrdiff_t step,
-                       int count, SmoothCells cells, RowEnds stress_ends, RowEnds u_ends) {
+                       int count, double least, SmoothCells cells, RowEnds stress_ends, RowEnds u_ends) {
   reconstruct_row(cells, count, [&](auto how, int i, bool smooth) RECOIL_INLINE {
-    return reconstruct_pair<how()>(stress, u, impedance[i], step, i, smooth, stress_ends, u_ends);
+    return reconstruct_pair<how()>(stress, u, impedance[i], step, i, least, smooth, stress_ends, u_ends);
   });
 }
 
@@ -144,8 +144,8 @@ void reconstruct_shear_waves(const double* tau, const double* u, const double* r
                              const double* shear_modulus, std::ptrdiff_t step, int count, SmoothCells cells,
                              RowEnds tau_ends, RowEnds u_ends) {
   reconstruct_row(cells, count, [&](auto how, int i, bool smooth) RECOIL_INLINE {
-    return reconstruct_pair<how()>(tau, u, std::sqrt(rho[i] * shear_modulus[i]), step, i, smooth, tau_ends,
-                                   u_ends);
+    return reconstruct_pair<how()>(tau, u, std::sqrt(rho[i] * shear_modulus[i]), step, i, stress_scale,
+                                   smooth, tau_ends, u_ends);
   });
 }
 

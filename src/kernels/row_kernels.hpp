@@ -36,7 +36,7 @@ void reconstruct_plain(const double* q, std::ptrdiff_t step, int count, double l
 /// The same of the characteristic-like stress + Z u and stress - Z u with the cell's own impedance Z; then
 /// back to stress and u.
 void reconstruct_waves(const double* stress, const double* u, const double* impedance, std::ptrdiff_t step,
-                       int count, SmoothCells cells, RowEnds stress_ends, RowEnds u_ends);
+                       int count, double least, SmoothCells cells, RowEnds stress_ends, RowEnds u_ends);
 
 /// The same for shear waves along the axis, with Z = sqrt(rho G); G [Pa] of each cell.
 void reconstruct_shear_waves(const double* tau, const double* u, const double* rho,

@@ -53,7 +53,7 @@ struct StateText {
   PartOf of = PartOf::states;  // what is limited
 };
 constexpr std::array<StateText, state_checks> state_texts{
-    {{"density", "had a density outside of 0.5 to 2.5 of that at rest", "kg/m3", 1, &L::density},
+    {{"density", "had a density that its equation of state does not describe", "kg/m3", 1, &L::density},
      {"tension", "were under more tension than the material bears", "GPa", 1e-9, &L::tension},
      {"melting", "were hotter by their energy than the melting temperature, which the strength does not feel",
       "K", 1, &L::melting},

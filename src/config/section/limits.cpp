@@ -59,7 +59,7 @@ Entries<Limits> Limits::keys() {
       part("overfilled-cells", &L::overfilled_cells,
            "part of a body's matter beyond whole cells, in those with more than volume-fraction"),
       part("volume-fraction", &L::volume_fraction, "of all bodies in a cell", "1.1"),
-      part("density", &L::density, "whole cells with a density outside of 0.5 to 2.5 of that at rest"),
+      part("density", &L::density, "whole cells with a density that the equation of state does not describe"),
       part("tension", &L::tension, "whole cells under more tension than the material bears"),
       part("largest-tension", &L::largest_tension,
            "what a material without a spall-strength bears, as part of its bulk modulus", "0.05"),

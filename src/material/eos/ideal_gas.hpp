@@ -28,7 +28,7 @@ struct IdealGas {
   static constexpr bool fluid = true;
   /// Gas has neither tension nor a hard core: shocks that converge to a point compress it to some hundred
   /// times (64 times in Noh's problem with gamma 5/3, J. Comput. Phys. 72 (1987) 78).
-  static constexpr DensityRange range{1e-9, 1e4};
+  static constexpr DensityRange range{1e-30, 1e4};
 
   static constexpr auto parameters() {
     using P = Parameter<IdealGas>;

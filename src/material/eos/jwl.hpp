@@ -25,7 +25,7 @@ struct Jwl {
   static constexpr const char* doc = "products of a detonated explosive: Jones, Wilkins and Lee";
   static constexpr bool barotropic = false;
   static constexpr bool fluid = true;
-  static constexpr DensityRange range{1e-9, 2.5};
+  static constexpr DensityRange range{1e-30, 2.5};
 
   static constexpr auto parameters() {
     using P = Parameter<Jwl>;

@@ -1,5 +1,6 @@
 #include "dynamics/open_voids.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "../core/dimensions.hpp"
@@ -81,6 +82,31 @@ TYPED_TEST(Voids, FillCellsThatNothingElseCanFill) {
   lack(near_surface, -5 * this->grid.dx);
   this->expect(deep, 1);
   this->expect(near_surface, 0.3);
+}
+
+/// Gas gives way where a cell holds more than 1.1 cells of matter: to the room that is left, to half of its
+/// volume at most, and only down to half of the largest density that it takes. Its contents stay.
+TYPED_TEST(Voids, GasGivesWayToOtherBodies) {
+  constexpr int dim = TestFixture::dim;
+  Material air = samples::copper();
+  air.eos = samples::of(IdealGas{}).front();
+  for (const double other : {0.05, 0.3, 0.8, 1.2}) {
+    auto state = this->filled(0, other);
+    state.bodies[0].material = air;
+    const double most = density_range(air.eos).most * density(air);
+    for (const double rho : {density(air), 0.4 * most}) {
+      for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+        b.volume[k] = this->whole();
+        b.contents[k] = rho * this->whole();
+      });
+      for (int s = 0; s < state.mesh.local(); ++s) fit_gas(state, state.bodies[0], s);
+      const double given = other < 0.1 ? 1 : std::max({0.5, 1 - other, rho / (0.5 * most)});
+      for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+        ASSERT_NEAR(b.volume[k] / this->whole(), given, 1e-12) << other;
+        ASSERT_EQ(b.contents[k], rho * this->whole());
+      });
+    }
+  }
 }
 
 }  // namespace

@@ -249,6 +249,32 @@ TYPED_TEST(Fits, WildPressureIsCountedWhereItCutsTheDensity) {
   }
 }
 
+/// A gas cannot pull: a pressure that falls to nothing over a few cells ends at a tenth of the lowest
+/// donor's, with a density on the isentrope.
+TYPED_TEST(Fits, OfAGasHavePressure) {
+  constexpr int dim = TestFixture::dim;
+  using C = Components<dim>;
+  this->material.eos = samples::of(Jwl{}).front();
+  this->material.strength = NoStrength{};
+  this->base = {};
+  this->base[C::rho] = 100;
+  auto p = this->half();
+  for (Body<dim>& body : p.state.bodies) body.material = this->material;
+  double lowest = 1e9;
+  this->set_averages(p, [&](const Vec<dim>& x) {
+    auto w = this->base;
+    const double depth = std::max(-dot(x - this->middle, this->tilted()) / this->grid.dx, 0.01);
+    w[C::p] = 2e7 * depth * depth * depth;
+    lowest = std::min(lowest, w[C::p]);
+    return w;
+  });
+  p.evaluate();
+  p.for_each_wall(0, [&](const Wall<dim>& w, const CutCell<dim>&, const Index<dim>&) {
+    ASSERT_GE(w.value[C::p], 0.1 * lowest * (1 - 1e-12));
+    ASSERT_GT(w.value[C::rho], 0);
+  });
+}
+
 /// A cut cell with no whole fragment around moves with what it holds.
 TYPED_TEST(Fits, LonePiecesMoveWithWhatTheyHold) {
   constexpr int dim = TestFixture::dim;

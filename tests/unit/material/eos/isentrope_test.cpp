@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "../samples.hpp"
+
 namespace recoil {
 namespace {
 
@@ -86,6 +88,21 @@ TEST(Isentrope, OfWhatIsNotANumberIsNotReached) {
 TEST(Isentrope, FollowedStepByStepIsTheClosedForm) {
   const double rho = 5, p = 9e5, to = 3e5;
   EXPECT_NEAR(follow_isentrope(air(), rho, p, 0, to).rho / gas_isentrope(air(), rho, p, to)->rho, 1, 1e-3);
+}
+
+/// Products of a detonation have no state without pressure: where they expand into nothing, the factor of e
+/// is where they end. Any other pressure has to be reached.
+TEST(Isentrope, ProductsExpandIntoNothing) {
+  const Jwl tnt = samples::of(Jwl{}).front();
+  const double rho = 100, p = 5e7;
+  const IsentropePoint nothing = follow_isentrope(tnt, rho, p, 0, 0);
+  EXPECT_TRUE(nothing.reached);
+  EXPECT_NEAR(nothing.rho, rho * std::exp(-most_change), 1e-9 * rho);
+  EXPECT_FALSE(follow_isentrope(tnt, rho, p, 0, 1e5).reached);
+  EXPECT_FALSE(follow_isentrope(air(), rho, p, 0, -1e5).reached);
+  EXPECT_TRUE(is_gas(tnt) && is_gas(air()));
+  EXPECT_FALSE(is_gas(IdealGas{.rho0 = 1000, .gamma = 4, .p0 = 1e5, .p_inf = 6e8}));
+  EXPECT_FALSE(is_gas(MieGruneisen{8930, 3940, 1.49, 2.0}));
 }
 
 }  // namespace
