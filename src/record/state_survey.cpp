@@ -10,6 +10,7 @@
 #include "dynamics/inadmissible.hpp"
 #include "dynamics/primitives.hpp"
 #include "gauge/point_state.hpp"
+#include "material/eos/isentrope.hpp"
 #include "parallel/archive.hpp"
 #include "state/places.hpp"
 
@@ -158,8 +159,11 @@ void StateSurvey<Dim>::look_at_cell(const Look& look, int m, const Index<Dim>& c
   if (!body.detonation) {  // temperatures of products are not known
     const double heating = p.unmelted - coldest, cells = b.contents[k] / (rho0 * full);
     if (heating > 0) line.heat += look.steps * cells * heating;
+    // Errors of a gas are a part of its temperature, whatever that is.
+    const double hotter =
+        is_gas(body.material.eos) ? std::max(1.0, coldest / law.thermal().initial_temperature) : 1;
     found(StateCheck::negative_heat,
-          {-(by_energy ? bounds_[m].noise : no_heat) - heating, heating, 0, -heating * cells});
+          {-(by_energy ? hotter * bounds_[m].noise : no_heat) - heating, heating, 0, -heating * cells});
   }
   if (fill < whole_fill) return;
   const DensityRange range = density_range(body.material.eos);
