@@ -41,9 +41,9 @@ template <int Dim>
 void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot);
 
 /// Gas gives way before other matter does: where bodies hold more than 1.1 of a cell together, the gas among
-/// them is compressed to the room that they leave, to half of its volume in a step at most. Its contents stay:
-/// its energy, which the walls have worked on, is its own. Without this a film of gas thinner than a cell
-/// between two plates would be sent from cell to cell, and its level set would grow into the plates.
+/// them is compressed to the room that they leave, to half of its volume in a step at most. Its contents
+/// stay: its energy, which the walls have worked on, is its own. Without this a film of gas thinner than a
+/// cell between two plates would be sent from cell to cell, and its level set would grow into the plates.
 template <int Dim>
 void fit_gas(const State<Dim>& state, Body<Dim>& body, int slot);
 

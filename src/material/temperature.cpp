@@ -33,7 +33,8 @@ void TemperatureLaw::tabulate(const Tabular& eos) {
 }
 
 /// Integrates de/drho = p/rho^2 from rest both ways by the classical Runge-Kutta rule: from 0.4 rho0, or
-/// the least density that the material has (at least 8e-6 rho0), to the largest admissible one, at most 4 rho0.
+/// the least density that the material has (at least 8e-6 rho0), to the largest admissible one, at most 4
+/// rho0.
 template <class Model>
 void TemperatureLaw::fill(const Model& eos) {
   const DensityRange range = density_range(eos);

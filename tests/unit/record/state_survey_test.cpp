@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "../cutcell/bodies.hpp"
 #include "material/starting_state.hpp"
