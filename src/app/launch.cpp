@@ -159,6 +159,11 @@ void prepare_mpi_environment() {
   choose_idle(std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE"));
 }
 
+void prepare_mpi_alone() {
+  prepare_mpi_environment();
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+}
+
 int run_mpirun(int ranks, const std::vector<std::string>& arguments) {
   choose_idle(std::to_string(ranks).c_str());
   prepare_mpi_environment();

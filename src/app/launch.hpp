@@ -20,6 +20,11 @@ bool launched();
 /// without heat where they share processors. Variables that the user has set stay.
 void prepare_mpi_environment();
 
+/// The same for a process on its own. It makes no folder for messages to others, as Open MPI does for each by
+/// default: two that start at the same moment, as in a sweep, may make the same one, and one of them ends
+/// ("mkdir: File exists").
+void prepare_mpi_alone();
+
 /// Runs `mpirun -n RANKS program ARGUMENTS...` and waits. A request to stop (`watch_stop_signals`) goes to
 /// the processes as SIGUSR1, which mpirun passes on; after SIGINT or SIGTERM of its own it would kill them.
 /// @returns the exit code of the processes. @throws EnvironmentError where mpirun cannot be started or is

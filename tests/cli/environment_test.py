@@ -82,6 +82,12 @@ class Environment(Program):
         picture = closed / "start.png"
         self.expect(recoil("check", self.case(), "--png", picture), 4, f"cannot write '{picture}'")
 
+    def test_a_process_on_its_own_needs_no_folder_of_open_mpi(self):
+        # Two that start at the same moment would make the same one, and one of them would end.
+        command = [PROGRAM, "run", FLYER, "-o", self.folder / "run", *COARSE, "-q", "-j", "1"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, "TMPDIR": "/proc"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_output_that_cannot_be_written(self):
         for words in (["schema"], ["check", str(FLYER)], ["material", "list"]):
             with self.subTest(words), open("/dev/full", "w") as full:
