@@ -84,7 +84,7 @@ class Environment(Program):
 
     def test_a_process_on_its_own_needs_no_folder_of_open_mpi(self):
         # Two that start at the same moment would make the same one, and one of them would end.
-        command = [PROGRAM, "run", FLYER, "-o", self.folder / "run", *COARSE, "-q", "-j", "1"]
+        command = [PROGRAM, "run", self.case(), "-o", self.folder / "run", *COARSE, "-q", "-j", "1"]
         done = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, "TMPDIR": "/proc"})
         self.assertEqual(done.returncode, 0, done.stderr)
 
