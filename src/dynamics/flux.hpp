@@ -16,6 +16,10 @@ namespace recoil {
 
 namespace detail {
 
+/// A gas may thin out to any density: its weights have to see changes of any size, as far as a product of six
+/// measures of smoothness is a number. [(kg/m3)^2, Pa^2]
+inline constexpr double density_scale_of_gas = 1e-45, stress_scale_of_gas = 1e-40;
+
 /// S_nn of a 3-d axis 2 is not stored: it follows from the trace.
 template <int Dim, int Axis, class Values>
 [[gnu::always_inline]] inline double normal_deviator(const Values& w, std::ptrdiff_t i) {
@@ -65,10 +69,8 @@ void reconstruct(const AnyEos& eos, const Row<Dim>& in, int to, FaceValues<Dim>&
   const auto plain = [&](int c, double least) {
     detail::reconstruct_plain(of(c), in.step, in.count, least, cells, ends(c));
   };
-  // A gas may thin out to any density: its weights have to see changes of any size, as far as a product of
-  // six measures of smoothness is a number.
   const bool gas = is_gas(eos.eos);
-  plain(C::rho, gas ? 1e-45 : 1e-6 * eos.rho0 * eos.rho0);
+  plain(C::rho, gas ? detail::density_scale_of_gas : 1e-6 * eos.rho0 * eos.rho0);
   plain(C::ep, 1e-12);
   if (eos.porous)
     detail::reconstruct_crushed(eos.porous->alpha0, 1e-6 * eos.rho0 * eos.rho0, of(C::rho), of(C::crushed),
@@ -79,8 +81,8 @@ void reconstruct(const AnyEos& eos, const Row<Dim>& in, int to, FaceValues<Dim>&
   if (eos.barotropic) plain(C::extra, 1e-2);
 
   detail::reconstruct_waves(in.stress + in.first, of(C::u + Axis), in.impedance + in.first, in.step, in.count,
-                            gas ? 1e-40 : detail::stress_scale, cells, {low.stress + to, high.stress + to},
-                            ends(C::u + Axis));
+                            gas ? detail::stress_scale_of_gas : detail::stress_scale, cells,
+                            {low.stress + to, high.stress + to}, ends(C::u + Axis));
   for (int t = 0; t < Dim; ++t) {
     if (t == Axis) continue;
     const int u = C::u + t, tau = C::s + C::stress(Axis, t);

@@ -170,7 +170,10 @@ int start(const Options& options, const LoadedCase& loaded, SimulationOptions& s
     lock.emplace(simulation.folder);
     if (simulation.checkpoint.empty()) prepare_run_folder(simulation.folder, loaded, force);
   }
-  launched() ? prepare_mpi_environment() : prepare_mpi_alone();
+  if (launched())
+    prepare_mpi_environment();
+  else
+    prepare_mpi_alone();
   const parallel::Session session;
   const parallel::World world;
   simulation.threads = threads_of(options, loaded.contents, world.size());
