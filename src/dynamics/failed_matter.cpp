@@ -9,7 +9,8 @@ namespace recoil {
 
 namespace {
 
-constexpr double over_failed = 1e-6;  // damage outside of 0 to 1 by less is rounding, not counted
+constexpr double mostly_failed = 0.9;  // damage from which on what had failed stays so in tension
+constexpr double over_failed = 1e-6;   // damage outside of 0 to 1 by less is rounding, not counted
 
 }  // namespace
 
@@ -58,10 +59,10 @@ double FailingCell<Dim>::pressure() {
 }
 
 template <int Dim>
-bool FailingCell<Dim>::relieve() {
+bool FailingCell<Dim>::relieve(bool may_have_failed) {
   using C = Components<Dim>;
-  const double mass = at(C::rho);
-  if (!(mass > 0 && volume_ > 0) || damage() < failed_damage || !(pressure() < 0)) return false;
+  const double mass = at(C::rho), least = may_have_failed ? mostly_failed : failed_damage;
+  if (!(mass > 0 && volume_ > 0) || damage() < least || !(pressure() < 0)) return false;
   for (int c = C::s; c < C::ep; ++c) at(c) = 0;
   at(C::damage) = std::max(at(C::damage), mass);
   return true;
@@ -121,9 +122,11 @@ int FailingCell<Dim>::grow(const DamagePoint& by, double most) {
 }
 
 template <int Dim>
-bool FailingCell<Dim>::fail_at_once() {
+bool FailingCell<Dim>::fail_at_once(double part) {
   if (!(at(Components<Dim>::rho) > 0 && volume_ > 0) || has_failed()) return false;
-  return fail_at_once(point());
+  DamagePoint now = point();
+  now.principal *= part, now.pressure *= part;
+  return fail_at_once(now);
 }
 
 template <int Dim>
@@ -142,7 +145,7 @@ void FailingCell<Dim>::note(double full, double strain_growth, double* drive) {
   if (!(at(C::rho) > 0 && volume_ > 0)) return;
   DamagePoint now = point();
   now.strain_growth = strain_growth;
-  if (has_failed() && now.pressure < 0) now.pressure = now.principal = now.equivalent = 0;
+  if (has_failed() && now.pressure < 0) return;
   const DamageDrive::Values values = DamageDrive::of(now, volume_ / full);
   for (std::size_t c = 0; c < values.size(); ++c) drive[c * stride_] = values[c];
 }

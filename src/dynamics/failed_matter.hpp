@@ -71,15 +71,19 @@ class FailingCell {
       : body_(body), q_(q), stride_(stride), volume_(v) {}
 
   /// Takes the stress off failed matter that would be in tension. @returns whether it was so.
-  bool relieve();
+  /// @param may_have_failed recoil::may_have_failed(). Intact matter that has come to a cell of failed matter
+  /// does not close its voids: in tension it stays failed as long as it mostly is. Else a hundredth of intact
+  /// matter would put the whole cell, voids and all, under a tension of 10 GPa and more.
+  bool relieve(bool may_have_failed = false);
   /// Lets damage grow over dt [s] in which the plastic strain grew by `strain_growth`, and failed matter
   /// yield under what it still bears. @returns 1 where a damage outside of 0 to `most` was set to the bound.
   int grow(double dt, double strain_growth, double most = 1);
   /// The same by a given state, such as a mean of cells, with its length of time.
   int grow(const DamagePoint& now, double most = 1);
   bool has_failed() { return damage() >= failed_damage; }
-  /// Of matter whose damage model has no rate, at the end of a step. @returns whether it fails now.
-  bool fail_at_once();
+  /// Of matter whose damage model has no rate, at the end of a step, by a part of its pressure and principal
+  /// stress. @returns whether it fails now.
+  bool fail_at_once(double part = 1);
   bool fail_at_once(const DamagePoint& now);
   /// Writes what its damage would grow by to `drive` [DamageDrive::components], as far apart as the contents;
   /// nothing where there is no matter.

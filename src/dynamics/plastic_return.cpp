@@ -14,6 +14,7 @@
 #include "kernels/row_kernels.hpp"
 #include "material/highest_temperature.hpp"
 #include "material/radial_return.hpp"
+#include "state/places.hpp"
 
 namespace recoil {
 
@@ -152,9 +153,9 @@ struct Failing {
 /// return_cell() of matter that can fail. @param elastic it does not yield.
 template <int Dim, class StrengthModel>
 Failing return_failing(const StrengthModel& strength, const Body<Dim>& body, double* q, std::size_t n,
-                       double v, double dt, double most_damage, bool elastic) {
+                       double v, double dt, double most_damage, bool elastic, bool may_have_failed = false) {
   FailingCell<Dim> cell(body, q, n, v);
-  if (cell.relieve()) return {};
+  if (cell.relieve(may_have_failed)) return {};
   const bool failed = cell.has_failed();
   const double growth = elastic ? 0 : return_cell<Dim>(strength, body, q, n, v, dt);
   const int clamped = cell.grow(dt, growth, most_damage);
@@ -164,9 +165,10 @@ Failing return_failing(const StrengthModel& strength, const Body<Dim>& body, dou
 /// return_failing() of matter whose damage grows by a mean: leaves the damage and notes what it grows by.
 template <int Dim, class StrengthModel>
 void return_noting(const StrengthModel& strength, const Body<Dim>& body, double* q, std::size_t n, double v,
-                   double dt, bool elastic, double full, double* drive) {
+                   double dt, bool elastic, bool may_have_failed, double full, double* drive) {
   FailingCell<Dim> cell(body, q, n, v);
-  const double growth = cell.relieve() || elastic ? 0 : return_cell<Dim>(strength, body, q, n, v, dt);
+  const double growth =
+      cell.relieve(may_have_failed) || elastic ? 0 : return_cell<Dim>(strength, body, q, n, v, dt);
   cell.note(full, growth, drive);
 }
 
@@ -223,10 +225,11 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
     if (!fails) {
       if (!elastic) return_cell<Dim>(strength, body, q, n, v, dt);
     } else if (by_mean) {
-      return_noting<Dim>(strength, body, q, n, v, dt, elastic, state.grid(slot).full_volume(i),
-                         b.damage_drive.data() + k);
+      return_noting<Dim>(strength, body, q, n, v, dt, elastic, may_have_failed(b, k),
+                         state.grid(slot).full_volume(i), b.damage_drive.data() + k);
     } else {
-      const Failing after = return_failing<Dim>(strength, body, q, n, v, dt, most_damage, elastic);
+      const Failing after =
+          return_failing<Dim>(strength, body, q, n, v, dt, most_damage, elastic, may_have_failed(b, k));
       ledger.counters.clamped_damage += after.clamped_damage;
       if (after.fails_now) ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
     }
@@ -269,6 +272,21 @@ void fail_at_once(const State<Dim>& state, Body<Dim>& body, int slot, BlockLedge
   for_each(b.matter, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     if (FailingCell<Dim>(body, b.contents.data() + k, n, b.volume[k]).fail_at_once())
+      ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
+  });
+}
+
+template <int Dim>
+void fail_what_moved(const State<Dim>& state, Body<Dim>& body, int slot, BlockLedger<Dim>& ledger) {
+  if (!can_fail(body.material.damage)) return;
+  BodyBlock<Dim>& b = body.at(slot);
+  const bool at_once = fails_at_once(body.material.damage);
+  const double own_part = body.material.damage_average.own_part(state.grid(slot).dx);
+  const auto number = static_cast<std::size_t>(&body - state.bodies.data());
+  for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    FailingCell<Dim> cell(body, b.contents.data() + k, b.volume.size(), b.volume[k]);
+    if (may_have_failed(b, k) && cell.relieve(true)) return;
+    if (at_once && cell.fail_at_once(own_part))
       ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
   });
 }
@@ -338,6 +356,7 @@ void combine_with_old(const State<Dim>& state, Body<Dim>& body, int slot, double
   template void return_to_yield<Dim>(const State<Dim>&, Body<Dim>&, int, double, BlockLedger<Dim>&, double); \
   template void bound_damage<Dim>(const State<Dim>&, Body<Dim>&, int);                                       \
   template void fail_at_once<Dim>(const State<Dim>&, Body<Dim>&, int, BlockLedger<Dim>&);                    \
+  template void fail_what_moved<Dim>(const State<Dim>&, Body<Dim>&, int, BlockLedger<Dim>&);                 \
   template void crush_pores<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&);                             \
   template std::int64_t clear_negative_strain<Dim>(const State<Dim>&, Body<Dim>&, int);                      \
   template void combine_with_old<Dim>(const State<Dim>&, Body<Dim>&, int, double);

@@ -24,6 +24,12 @@ void bound_damage(const State<Dim>& state, Body<Dim>& body, int slot);
 template <int Dim>
 void fail_at_once(const State<Dim>& state, Body<Dim>& body, int slot, BlockLedger<Dim>& ledger);
 
+/// At the end of a step, after moves and exchanges along surfaces: what came to a cell of failed matter has
+/// failed as well, as long as it would be in tension there, and matter whose damage model has no rate fails
+/// by its state now.
+template <int Dim>
+void fail_what_moved(const State<Dim>& state, Body<Dim>& body, int slot, BlockLedger<Dim>& ledger);
+
 /// What return_to_yield(), fail_at_once() and crush_pores() do to the contents of one fragment of a volume,
 /// after dt [s].
 template <int Dim>

@@ -21,4 +21,13 @@ template <int Dim>
   return b.contents[Components<Dim>::damage * b.volume.size() + k] >= failed_damage * b.contents[k];
 }
 
+/// Whether the fragment at a place had failed when averages were last taken, or is too small to have one.
+template <int Dim>
+[[gnu::always_inline]] inline bool may_have_failed(const BodyBlock<Dim>& b, std::size_t k) {
+  const bool averages = !b.average.empty();
+  const auto& w = averages ? b.average : b.stencil;
+  if (w.empty() || (b.role[k] & (averages ? donates : valued)) == 0) return true;
+  return w[Components<Dim>::damage * b.volume.size() + k] >= failed_damage;
+}
+
 }  // namespace recoil

@@ -249,8 +249,10 @@ void release_detonations(StepRun<Dim>& step, double dt) {
 
 template <int Dim>
 void clear_negative_strain(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"clear negative strain", {}, volume, contents};
+  static constexpr FieldAccess access{
+      "clear negative strain", {}, volume | average | stencil | role, contents};
   step.queue_each_body(StepPhase::plasticity, access, [&step](Body<Dim>& body, int slot, Scratch&) {
+    fail_what_moved(step.state(), body, slot, step.state().ledger[slot]);
     step.counters(slot).cleared_strains += clear_negative_strain(step.state(), body, slot);
     crush_pores(step.state(), body, slot, step.counters(slot));  // of what has been moved
   });

@@ -199,8 +199,10 @@ void average_inadmissible_states(StepRun<Dim>& step, double most_damage) {
 
 template <int Dim>
 void return_to_yield(StepRun<Dim>& step, double dt, double old_weight, double most_damage) {
-  static constexpr FieldAccess access{
-      "return to yield", {}, contents_old | volume_old, contents | volume | damage_drive},
+  static constexpr FieldAccess access{"return to yield",
+                                      {},
+                                      contents_old | volume_old | stencil | average | role,
+                                      contents | volume | damage_drive},
       grow{"grow damage", damage_drive, contents_old | volume_old, contents | volume};
   const auto grows_by_mean = [](const Body<Dim>& body) {
     return averages_damage(body) && !fails_at_once(body.material.damage);

@@ -14,12 +14,15 @@ namespace recoil {
 
 namespace {
 
-/// Means of what damage grows by in the cells of one body in one block.
+/// What damage grows by in the cells of one body in one block: means, and of the tension at least a part of
+/// the cell's own (DamageAverage::own_part).
 template <int Dim>
 class MeanDrive {
  public:
   MeanDrive(const State<Dim>& state, const Body<Dim>& body, int slot, int reach, Scratch& scratch)
-      : window_(state.mesh, slot, reach), reach_(reach) {
+      : window_(state.mesh, slot, reach),
+        reach_(reach),
+        own_part_(body.material.damage_average.own_part(state.grid(slot).dx)) {
     const auto n = static_cast<std::size_t>(window_.size());
     drive_ = scratch.take<double>(n * count);
     window_.gather([&](int s) { return body.present(s) ? data_of(body.at(s)) : nullptr; },
@@ -49,6 +52,9 @@ class MeanDrive {
       for (std::size_t c = 1; c < count; ++c) sum[c] += weight * at[c * n];
     });
     point = DamageDrive::mean(sum, damage, dt);
+    const double* own = drive_ + window_.at(i);
+    point.bear_at_least(own_part_ * own[DamageDrive::principal * n],
+                        own_part_ * own[DamageDrive::pressure * n]);
     return true;
   }
 
@@ -66,6 +72,7 @@ class MeanDrive {
 
   Window<Dim> window_;
   int reach_;
+  double own_part_;
   double *drive_ = nullptr, *weights_ = nullptr;
 };
 
