@@ -17,6 +17,7 @@ namespace {
 constexpr double least_judged = 0.02;      // part of a cell below which a state is not judged
 constexpr double admissible_sound = 0.02;  // least c^2 of a solid, of c0^2 ...
 constexpr double sound_of_vapour = 1e-6;   // ... and of what evaporates
+constexpr double error_of_motion = 0.2;    // of u^2, by which -c^2 of a gas may be larger
 
 /// Of failed matter only the density is judged, and only from above: the rest of its cell is a void.
 /// @param fails whether the matter can fail: if not, its damage does not count.
@@ -34,8 +35,12 @@ template <int Dim, class EosModel>
   const double p = matter.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
   const double c0 = bulk_sound_speed(matter), c2 = matter.sound_speed_squared(rho, p);
   const double least = evaporates(eos) ? sound_of_vapour : admissible_sound;
-  // What is left of a gas at the edge of a void is cold and thin, and its errors may be as large as it is.
-  const bool good = possible & (is_fluid<EosModel>() ? std::isfinite(c2) : c2 >= least * c0 * c0),
+  // What is left of a gas at the edge of a void is cold, thin and fast, and the error of its kinetic energy
+  // may be larger than its heat.
+  const double u2 = momentum2 / (q[C::rho] * q[C::rho]);
+  const bool good =
+                 possible & (is_fluid<EosModel>() ? c2 >= -admissible_sound * c0 * c0 - error_of_motion * u2
+                                                  : c2 >= least * c0 * c0),
              dust = failed & (rho > 0) & (rho < range.most * matter.rho0);
   return !(good | dust);  // true for NaN
 }

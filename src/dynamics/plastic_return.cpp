@@ -286,7 +286,7 @@ void fail_what_moved(const State<Dim>& state, Body<Dim>& body, int slot, BlockLe
   for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     FailingCell<Dim> cell(body, b.contents.data() + k, b.volume.size(), b.volume[k]);
     if (may_have_failed(b, k) && cell.relieve(true)) return;
-    if (at_once && cell.fail_at_once(own_part))
+    if (at_once && (b.role[k] & regular) != 0 && cell.fail_at_once(own_part))
       ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
   });
 }

@@ -67,6 +67,30 @@ TEST(FailedMatterState, TheSolidPartIsFreeOfPressure) {
   });
 }
 
+/// Intact matter that comes to a cell of failed matter does not put its voids under tension.
+TYPED_TEST(FailedMatterState, WhatHadFailedStaysSoInTension) {
+  constexpr int dim = TestFixture::dim;
+  using C = typename TestFixture::C;
+  constexpr double volume = 1e-9;
+  Body<dim> body;
+  body.material = samples::copper();
+  body.material.damage = TensileDamage{1e9, 1, 1e-6};
+  body.temperature = temperature_law(body.material);
+  const auto relieved = [&](double damage, bool may_have_failed) {
+    auto q = this->pulled(volume, damage);
+    const bool is = FailingCell<dim>(body, q.data(), 1, volume).relieve(may_have_failed);
+    EXPECT_NEAR(q[C::damage] / q[C::rho], is ? 1 : damage, 1e-15);
+    for (int c = C::s; c < C::ep; ++c) EXPECT_EQ(q[c] == 0, is);
+    return is;
+  };
+  EXPECT_TRUE(relieved(1, false));
+  EXPECT_FALSE(relieved(0.95, false)) << "damaged, but it has not failed";
+  EXPECT_TRUE(relieved(0.95, true)) << "a twentieth of intact matter has come";
+  EXPECT_FALSE(relieved(0.8, true)) << "mostly it is other matter by now";
+  auto pressed = this->pulled(0.7 * volume, 0.95);
+  EXPECT_FALSE(FailingCell<dim>(body, pressed.data(), 1, 0.5 * volume).relieve(true));
+}
+
 /// In the course of the return: stress off where there is a void, damage by the law, no more stress than
 /// failed matter bears.
 TYPED_TEST(FailedMatterState, DamageGrowsAndFailedMatterYields) {

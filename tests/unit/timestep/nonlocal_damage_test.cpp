@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "../core/dimensions.hpp"
@@ -93,6 +94,31 @@ TYPED_TEST(NonlocalDamage, IsTheWeightedMeanOfTheMatterAround) {
   EXPECT_GT(seen, 15);
 }
 
+/// A cell that bears more than a crack's tip would show is broken by its own tension.
+TEST(NonlocalDamage, ACellBearsNoMoreThanTheTipOfACrack) {
+  const double length = 3.2 * dx, time = 1e-6, dt = 1e-8, own = 9e9;
+  TestRun<2> run(plates<2>(1, dx), {breaking(NoDamage{}, 0), breaking(TensileDamage{1e9, 1, time}, length)});
+  run.steps(1);
+  for (auto& b : run.state.bodies[1].blocks)
+    if (b.present) clear_damage_drive(b);
+  for_each_target_cell(run, [&](BodyBlock<2>& b, std::size_t k, const Index<2>&) { b.damage_drive[k] = 1; });
+  bool first = true;
+  BodyBlock<2>* in = nullptr;
+  std::size_t at = 0;
+  for_each_target_cell(run, [&](BodyBlock<2>& b, std::size_t k, const Index<2>&) {
+    if (std::exchange(first, false)) {
+      in = &b, at = k;
+      b.damage_drive[static_cast<std::size_t>(DamageDrive::principal) * b.volume.size() + k] = own;
+    }
+  });
+  Scratch scratch;
+  for (int s = 0; s < run.state.mesh.local(); ++s)
+    if (run.state.bodies[1].present(s))
+      grow_by_mean(run.state, run.state.bodies[1], s, dt, 1, run.state.ledger[s], scratch);
+  const double damage = in->contents[Components<2>::damage * in->volume.size() + at] / in->contents[at];
+  EXPECT_NEAR(damage, dt / time * (own * std::sqrt(0.5 * dx / length) / 1e9 - 1), 1e-12);
+}
+
 /// With all of the models a scab flies off, and no budget opens.
 TYPED_TEST(NonlocalDamage, BudgetsClose) {
   constexpr int dim = TestFixture::dim;
@@ -136,6 +162,9 @@ TEST(NonlocalDamage, ReachesAsFarAsItsLength) {
   body.material.damage = NoDamage{};
   EXPECT_EQ(averaged_cells(body, 0.1 * mm), 0);
   const DamageAverage average{0.3 * mm};
+  EXPECT_NEAR(average.own_part(0.1 * mm), std::sqrt(0.05 / 0.3), 1e-15);
+  EXPECT_EQ(average.own_part(1 * mm), 1);
+  EXPECT_EQ(DamageAverage{}.own_part(0.1 * mm), 1);
   EXPECT_EQ(average.weight(0), 1);
   EXPECT_DOUBLE_EQ(average.weight(0.15 * mm), 0.5625);
   EXPECT_EQ(average.weight(0.3 * mm), 0);
