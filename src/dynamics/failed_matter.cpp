@@ -122,11 +122,9 @@ int FailingCell<Dim>::grow(const DamagePoint& by, double most) {
 }
 
 template <int Dim>
-bool FailingCell<Dim>::fail_at_once(double part) {
+bool FailingCell<Dim>::fail_at_once() {
   if (!(at(Components<Dim>::rho) > 0 && volume_ > 0) || has_failed()) return false;
-  DamagePoint now = point();
-  now.principal *= part, now.pressure *= part;
-  return fail_at_once(now);
+  return fail_at_once(point());
 }
 
 template <int Dim>
@@ -145,7 +143,7 @@ void FailingCell<Dim>::note(double full, double strain_growth, double* drive) {
   if (!(at(C::rho) > 0 && volume_ > 0)) return;
   DamagePoint now = point();
   now.strain_growth = strain_growth;
-  if (has_failed() && now.pressure < 0) return;
+  if (has_failed() && now.pressure < 0) now.pressure = now.principal = now.equivalent = 0;
   const DamageDrive::Values values = DamageDrive::of(now, volume_ / full);
   for (std::size_t c = 0; c < values.size(); ++c) drive[c * stride_] = values[c];
 }

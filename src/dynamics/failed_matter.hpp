@@ -81,9 +81,8 @@ class FailingCell {
   /// The same by a given state, such as a mean of cells, with its length of time.
   int grow(const DamagePoint& now, double most = 1);
   bool has_failed() { return damage() >= failed_damage; }
-  /// Of matter whose damage model has no rate, at the end of a step, by a part of its pressure and principal
-  /// stress. @returns whether it fails now.
-  bool fail_at_once(double part = 1);
+  /// Of matter whose damage model has no rate, at the end of a step. @returns whether it fails now.
+  bool fail_at_once();
   bool fail_at_once(const DamagePoint& now);
   /// Writes what its damage would grow by to `drive` [DamageDrive::components], as far apart as the contents;
   /// nothing where there is no matter.

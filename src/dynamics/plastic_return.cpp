@@ -280,13 +280,12 @@ template <int Dim>
 void fail_what_moved(const State<Dim>& state, Body<Dim>& body, int slot, BlockLedger<Dim>& ledger) {
   if (!can_fail(body.material.damage)) return;
   BodyBlock<Dim>& b = body.at(slot);
-  const bool at_once = fails_at_once(body.material.damage);
-  const double own_part = body.material.damage_average.own_part(state.grid(slot).dx);
+  const bool at_once = fails_at_once(body.material.damage) && !averages_damage(body.material);
   const auto number = static_cast<std::size_t>(&body - state.bodies.data());
   for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     FailingCell<Dim> cell(body, b.contents.data() + k, b.volume.size(), b.volume[k]);
     if (may_have_failed(b, k) && cell.relieve(true)) return;
-    if (at_once && (b.role[k] & regular) != 0 && cell.fail_at_once(own_part))
+    if (at_once && (b.role[k] & regular) != 0 && cell.fail_at_once())
       ledger.failures[number].note(state.time, state.mesh.finest_index(slot, i));
   });
 }

@@ -25,8 +25,8 @@ template <int Dim>
 void fail_at_once(const State<Dim>& state, Body<Dim>& body, int slot, BlockLedger<Dim>& ledger);
 
 /// At the end of a step, after moves and exchanges along surfaces: what came to a cell of failed matter has
-/// failed as well, as long as it would be in tension there, and matter whose damage model has no rate fails
-/// by its state now.
+/// failed as well, as long as it would be in tension there. Matter whose damage model has no rate fails by
+/// its own state now, in cells that are half full: smaller fragments are merged with others in the next step.
 template <int Dim>
 void fail_what_moved(const State<Dim>& state, Body<Dim>& body, int slot, BlockLedger<Dim>& ledger);
 

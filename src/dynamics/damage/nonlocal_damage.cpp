@@ -14,15 +14,18 @@ namespace recoil {
 
 namespace {
 
-/// What damage grows by in the cells of one body in one block: means, and of the tension at least a part of
-/// the cell's own (DamageAverage::own_part).
+/// Beside a void damage grows at least by this part of a cell's own tension. A cell between voids cannot
+/// contract, which is what its matter would do: its tension stays, and the mean, of cells without stress,
+/// never breaks it.
+constexpr double own_beside_void = 0.5;
+
+/// What damage grows by in the cells of one body in one block: means, and beside voids at least a part of the
+/// cell's own tension.
 template <int Dim>
 class MeanDrive {
  public:
   MeanDrive(const State<Dim>& state, const Body<Dim>& body, int slot, int reach, Scratch& scratch)
-      : window_(state.mesh, slot, reach),
-        reach_(reach),
-        own_part_(body.material.damage_average.own_part(state.grid(slot).dx)) {
+      : window_(state.mesh, slot, reach), reach_(reach) {
     const auto n = static_cast<std::size_t>(window_.size());
     drive_ = scratch.take<double>(n * count);
     window_.gather([&](int s) { return body.present(s) ? data_of(body.at(s)) : nullptr; },
@@ -52,13 +55,32 @@ class MeanDrive {
       for (std::size_t c = 1; c < count; ++c) sum[c] += weight * at[c * n];
     });
     point = DamageDrive::mean(sum, damage, dt);
-    const double* own = drive_ + window_.at(i);
-    point.bear_at_least(own_part_ * own[DamageDrive::principal * n],
-                        own_part_ * own[DamageDrive::pressure * n]);
+    if (is_beside_void(i)) bear_at_least(own_beside_void, drive_ + window_.at(i), point);
     return true;
   }
 
  private:
+  /// Whether a cell around has a void: failed matter without any stress.
+  bool is_beside_void(const Index<Dim>& i) const {
+    const auto n = static_cast<std::size_t>(window_.size());
+    Box<Dim> next{i, i};
+    for (int d = 0; d < Dim; ++d) --next.lo[d], next.hi[d] += 2;
+    bool is = false;
+    for_each(next, [&](const Index<Dim>& j) {
+      const double* at = drive_ + window_.at(j);
+      is = is || (at[0] > 0 && at[DamageDrive::principal * n] == 0 && at[DamageDrive::pressure * n] == 0);
+    });
+    return is;
+  }
+  /// Takes a part of a cell's own tension where that is more than the mean.
+  void bear_at_least(double part, const double* own, DamagePoint& point) const {
+    const auto n = static_cast<std::size_t>(window_.size());
+    const double principal = part * own[DamageDrive::principal * n],
+                 pressure = part * own[DamageDrive::pressure * n];
+    if (principal > 0) point.principal = std::max(point.principal, principal);
+    if (pressure < 0) point.pressure = std::min(point.pressure, pressure);
+  }
+
   static constexpr auto count = static_cast<std::size_t>(DamageDrive::components);
   /// Null where the field is not there: in a block that stands in for one of another level.
   static const double* data_of(const BodyBlock<Dim>& b) {
@@ -72,7 +94,6 @@ class MeanDrive {
 
   Window<Dim> window_;
   int reach_;
-  double own_part_;
   double *drive_ = nullptr, *weights_ = nullptr;
 };
 

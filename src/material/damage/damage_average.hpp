@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "material/parameter.hpp"
 
@@ -29,12 +27,6 @@ struct DamageAverage {
     const double part = 1 - distance * distance / (length * length);
     return part > 0 ? part * part : 0.0;
   }
-  /// The part of a cell's own tension that its damage grows by at least. At the tip of a crack tension falls
-  /// with the square root of the distance (Irwin, J. Appl. Mech. 24 (1957) 361), so that of a cell is
-  /// sqrt(2 R/dx) times that at R; more than that is no stress of the matter around, but a gap that the cell
-  /// cannot show. 1 where nothing is averaged.
-  /// @param dx width of the cell [m].
-  double own_part(double dx) const { return averages() ? std::min(1.0, std::sqrt(0.5 * dx / length)) : 1.0; }
 };
 
 }  // namespace recoil

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 namespace recoil {
 
 /// What makes the damage of a point of matter grow in one step.
@@ -13,12 +11,6 @@ struct DamagePoint {
   double strain_growth = 0;  // of the equivalent plastic strain in this step
   double temperature = 0;    // K
   double dt = 0;             // s
-
-  /// Takes a tension where that is more than its own: a largest principal stress and a pressure [Pa].
-  void bear_at_least(double other_principal, double other_pressure) {
-    if (other_principal > 0) principal = std::max(principal, other_principal);
-    if (other_pressure < 0) pressure = std::min(pressure, other_pressure);
-  }
 };
 
 }  // namespace recoil
