@@ -25,7 +25,7 @@ template <int Dim>
 class MeanDrive {
  public:
   MeanDrive(const State<Dim>& state, const Body<Dim>& body, int slot, int reach, Scratch& scratch)
-      : window_(state.mesh, slot, reach), reach_(reach) {
+      : window_(state.mesh, slot, reach), reach_(reach), axisymmetric_(state.grid(slot).axisymmetric) {
     const auto n = static_cast<std::size_t>(window_.size());
     drive_ = scratch.take<double>(n * count);
     window_.gather([&](int s) { return body.present(s) ? data_of(body.at(s)) : nullptr; },
@@ -55,22 +55,32 @@ class MeanDrive {
       for (std::size_t c = 1; c < count; ++c) sum[c] += weight * at[c * n];
     });
     point = DamageDrive::mean(sum, damage, dt);
-    if (is_beside_void(i)) bear_at_least(own_beside_void, drive_ + window_.at(i), point);
+    if (const double part = own_part(i); part > 0) bear_at_least(part, drive_ + window_.at(i), point);
     return true;
   }
 
  private:
-  /// Whether a cell around has a void: failed matter without any stress.
-  bool is_beside_void(const Index<Dim>& i) const {
+  /// Whether a cell has a void: it holds failed matter without any stress.
+  bool has_void(const Index<Dim>& i) const {
     const auto n = static_cast<std::size_t>(window_.size());
+    const double* at = drive_ + window_.at(i);
+    return at[0] > 0 && at[DamageDrive::principal * n] == 0 && at[DamageDrive::pressure * n] == 0;
+  }
+  /// The part of a cell's own tension that counts: none, where no cell around has a void; all, where voids
+  /// are on both sides along an axis, or beside a cell at the axis of symmetry.
+  double own_part(const Index<Dim>& i) const {
     Box<Dim> next{i, i};
     for (int d = 0; d < Dim; ++d) --next.lo[d], next.hi[d] += 2;
-    bool is = false;
-    for_each(next, [&](const Index<Dim>& j) {
-      const double* at = drive_ + window_.at(j);
-      is = is || (at[0] > 0 && at[DamageDrive::principal * n] == 0 && at[DamageDrive::pressure * n] == 0);
-    });
-    return is;
+    bool beside = false;
+    for_each(next, [&](const Index<Dim>& j) { beside = beside || has_void(j); });
+    if (!beside) return 0;
+    for (int d = 0; d < Dim; ++d) {
+      Index<Dim> low = i, high = i;
+      --low[d], ++high[d];
+      const bool at_axis = axisymmetric_ && d == 0 && i[0] == 0;
+      if (has_void(high) && (at_axis || has_void(low))) return 1;
+    }
+    return own_beside_void;
   }
   /// Takes a part of a cell's own tension where that is more than the mean.
   void bear_at_least(double part, const double* own, DamagePoint& point) const {
@@ -94,6 +104,7 @@ class MeanDrive {
 
   Window<Dim> window_;
   int reach_;
+  bool axisymmetric_;
   double *drive_ = nullptr, *weights_ = nullptr;
 };
 
