@@ -38,9 +38,9 @@ template <int Dim, class EosModel>
   // What is left of a gas at the edge of a void is cold, thin and fast, and the error of its kinetic energy
   // may be larger than its heat.
   const double u2 = momentum2 / (q[C::rho] * q[C::rho]);
-  const bool good =
-                 possible & (is_fluid<EosModel>() ? c2 >= -admissible_sound * c0 * c0 - error_of_motion * u2
-                                                  : c2 >= least * c0 * c0),
+  const double least_c2 =
+      is_fluid<EosModel>() ? -admissible_sound * c0 * c0 - error_of_motion * u2 : least * c0 * c0;
+  const bool good = possible & (c2 >= least_c2) & std::isfinite(c2),
              dust = failed & (rho > 0) & (rho < range.most * matter.rho0);
   return !(good | dust);  // true for NaN
 }

@@ -348,9 +348,6 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   const auto n = static_cast<std::size_t>(state.grid(slot).layout().size());
   const double g = shear_modulus(body.material);
   const bool fails = can_fail(body.material.damage);
-  // Faces beside voids are solved by averages alone: in one stage without what half a step across them
-  // changes, and no longer stable with its steps.
-  if (fails && has_voids(b)) sound = std::max(sound, std::sqrt(static_cast<double>(Dim)));
   const bool follows = modulus_follows(body.material.strength);
   const auto modulus_in = [&](std::size_t k) {
     Primitives<Dim> w;
@@ -359,7 +356,10 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   };
   const bool beside_rigid = std::ranges::any_of(
       state.bodies, [](const Body<Dim>& other) { return other.rigid && !never_moves(*other.rigid); });
-  const bool by_rows = !follows && !beside_rigid && !is_fluid(body.material.eos);
+  const bool by_rows = !follows && !beside_rigid && !is_fluid(body.material.eos) && !(fails && has_voids(b));
+  // Faces beside voids are solved by averages alone: in one stage without what half a step across them
+  // changes, and no longer stable with its steps.
+  const double sound_of_dust = std::max(sound, std::sqrt(static_cast<double>(Dim)));
   const Grid<Dim>& grid = state.grid(slot);
   double fastest = 0;
   std::visit(
@@ -380,7 +380,8 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
             sum = std::max(sum, swept_speed(state, grid.centre(i)));
           const double shear = follows ? modulus_in(k) : g;
           const double still = sum;
-          sum += sound * std::sqrt((c2 > least ? c2 : least) + 4 * shear / (3 * rho));
+          sum +=
+              (dust ? sound_of_dust : sound) * std::sqrt((c2 > least ? c2 : least) + 4 * shear / (3 * rho));
           if (is_fluid(body.material.eos) && b.phi[k] > -near_front * grid.dx)
             if (const auto front = gas_isentrope(body.material.eos, rho, p, 0))
               sum = std::max(sum, still + front->speed);
