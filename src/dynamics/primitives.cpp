@@ -329,17 +329,6 @@ void for_each_row_or_place(const State<Dim>& state, int slot, ByRow&& by_row, F&
   });
 }
 
-/// Whether a block has a cell with a void.
-template <int Dim>
-bool has_voids(const BodyBlock<Dim>& b) {
-  using C = Components<Dim>;
-  const std::size_t n = b.volume.size();
-  const double *p = b.average.data() + C::p * n, *damage = b.average.data() + C::damage * n;
-  for (std::size_t k = 0; k < n; ++k)
-    if ((b.role[k] & donates) != 0 && p[k] == 0 && damage[k] >= failed_damage) return true;
-  return false;
-}
-
 template <int Dim>
 double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, double sound,
                       Counters& counters) {

@@ -30,4 +30,15 @@ template <int Dim>
   return w[Components<Dim>::damage * b.volume.size() + k] >= failed_damage;
 }
 
+/// Whether a cell of a block had a void when averages were taken: failed matter without pressure.
+template <int Dim>
+bool has_voids(const BodyBlock<Dim>& b) {
+  using C = Components<Dim>;
+  const std::size_t n = b.volume.size();
+  const double *p = b.average.data() + C::p * n, *damage = b.average.data() + C::damage * n;
+  for (std::size_t k = 0; k < n; ++k)
+    if ((b.role[k] & donates) != 0 && p[k] == 0 && damage[k] >= failed_damage) return true;
+  return false;
+}
+
 }  // namespace recoil
