@@ -79,7 +79,7 @@ class FailingCell {
   /// yield under what it still bears. @returns 1 where a damage outside of 0 to `most` was set to the bound.
   int grow(double dt, double strain_growth, double most = 1);
   /// The same by a given state, such as a mean of cells, with its length of time.
-  int grow(const DamagePoint& now, double most = 1);
+  int grow(const DamagePoint& by, double most = 1);
   bool has_failed() { return damage() >= failed_damage; }
   /// Of matter whose damage model has no rate, at the end of a step. @returns whether it fails now.
   bool fail_at_once();
