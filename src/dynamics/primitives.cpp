@@ -361,7 +361,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
           const double c2 = matter.sound_speed_squared(rho, p);
           double sum = 0;
           for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(b.average[(C::u + d) * n + k]);
-          const bool dust = fails && p == 0 && b.average[C::damage * n + k] >= failed_damage;
+          const bool dust = fails && has_void(b, k);
           if (!std::isfinite(sum + c2) || !(rho > 0) || !(dust || matter.admissible(rho)))
             refuse_state(state, body, slot, i - state.mesh.block(slot).cells.lo, rho, p);
           if (c2 < least && !dust) ++counters.floored_sound_speeds;

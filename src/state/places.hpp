@@ -30,14 +30,19 @@ template <int Dim>
   return w[Components<Dim>::damage * b.volume.size() + k] >= failed_damage;
 }
 
-/// Whether a cell of a block had a void when averages were taken: failed matter without pressure.
+/// Whether the average at a place is that of a cell with a void: failed matter without pressure.
 template <int Dim>
-bool has_voids(const BodyBlock<Dim>& b) {
+[[gnu::always_inline]] inline bool has_void(const BodyBlock<Dim>& b, std::size_t k) {
   using C = Components<Dim>;
   const std::size_t n = b.volume.size();
-  const double *p = b.average.data() + C::p * n, *damage = b.average.data() + C::damage * n;
-  for (std::size_t k = 0; k < n; ++k)
-    if ((b.role[k] & donates) != 0 && p[k] == 0 && damage[k] >= failed_damage) return true;
+  return (b.role[k] & donates) != 0 && b.average[C::p * n + k] == 0 &&
+         b.average[C::damage * n + k] >= failed_damage;
+}
+/// Whether a block has such a cell.
+template <int Dim>
+bool has_voids(const BodyBlock<Dim>& b) {
+  for (std::size_t k = 0; k < b.volume.size(); ++k)
+    if (has_void(b, k)) return true;
   return false;
 }
 

@@ -248,11 +248,17 @@ void release_detonations(StepRun<Dim>& step, double dt) {
 }
 
 template <int Dim>
-void clear_negative_strain(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{
-      "clear negative strain", {}, volume | average | stencil | role, contents};
+void fail_what_moved(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"fail what moved", {}, volume | average | stencil | role, contents};
   step.queue_each_body(StepPhase::plasticity, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     fail_what_moved(step.state(), body, slot, step.state().ledger[slot]);
+  });
+}
+
+template <int Dim>
+void clear_negative_strain(StepRun<Dim>& step) {
+  static constexpr FieldAccess access{"clear negative strain", {}, volume, contents};
+  step.queue_each_body(StepPhase::plasticity, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     step.counters(slot).cleared_strains += clear_negative_strain(step.state(), body, slot);
     crush_pores(step.state(), body, slot, step.counters(slot));  // of what has been moved
   });
@@ -274,6 +280,7 @@ void clear_negative_strain(StepRun<Dim>& step) {
   template void restore_level_sets<Dim>(StepRun<Dim>&);                  \
   template void open_voids<Dim>(StepRun<Dim>&);                          \
   template void release_detonations<Dim>(StepRun<Dim>&, double);         \
+  template void fail_what_moved<Dim>(StepRun<Dim>&);                     \
   template void clear_negative_strain<Dim>(StepRun<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

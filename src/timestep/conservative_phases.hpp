@@ -45,6 +45,9 @@ void open_voids(StepRun<Dim>& step);
 /// Explosives set free what their detonations bring until the end of the step.
 template <int Dim>
 void release_detonations(StepRun<Dim>& step, double dt);
+/// Matter that came to cells of failed matter, and matter whose damage model has no rate, after all moves.
+template <int Dim>
+void fail_what_moved(StepRun<Dim>& step);
 /// What is left of plastic strain below zero after the step; counted.
 template <int Dim>
 void clear_negative_strain(StepRun<Dim>& step);

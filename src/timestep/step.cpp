@@ -50,6 +50,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   empty_and_fill(step);
   bound_volumes(step);
   average_inadmissible_states(step);
+  fail_what_moved(step);
   clear_negative_strain(step);
   release_detonations(step, dt);
   open_voids(step);
