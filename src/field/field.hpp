@@ -12,6 +12,7 @@ enum class Field : std::uint8_t {
   volume,
   phi,
   extension_velocity,
+  lag,
   contact,
   contents_old,
   volume_old,

@@ -142,6 +142,7 @@ void apply_band(const State<Dim>& state, Body<Dim>& body, int slot, const BandCh
   b.walls.clear();
   b.ghosts.clear();
   std::fill(b.extension_velocity.begin(), b.extension_velocity.end(), 0.0);
+  std::fill(b.lag.begin(), b.lag.end(), far_cells * state.grid().dx);
   const int role = kind == CellKind::full ? donates | regular | valued : 0;
   std::fill(b.role.begin(), b.role.end(), static_cast<std::uint8_t>(role));
   std::fill(b.contact.begin(), b.contact.end(), 0U);

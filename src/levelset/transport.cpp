@@ -8,6 +8,7 @@
 #include "core/mul_add.hpp"
 #include "core/multiversion.hpp"
 #include "levelset/cuts_in_view.hpp"
+#include "material/eos/isentrope.hpp"
 #include "material/eos/quick_exp.hpp"
 #include "state/level_set_view.hpp"
 
@@ -177,6 +178,10 @@ bool mean_wall_velocity(const Grid<Dim>& grid, const Box<Dim>& window, const Cut
 }
 
 constexpr double followed_cells = 2;  // [dx] farther cells need not follow: each step redistances them
+constexpr double near_body = 1.5;     // [dx] from the surface of another body contact may close soon
+constexpr double usual_growth =
+    0.005;  // [dx] of the mismatch in a step: corners that cross cells, slow contact
+constexpr double most_growth = 0.05;  // [dx] taken up in a step
 constexpr int ring = 2;               // cells about a foot point whose mismatch counts
 using Bell = std::array<double, 2 * ring + 1>;
 
@@ -196,6 +201,32 @@ RECOIL_MULTIVERSION void bells_about(const Vec<Dim>& x, std::array<Bell, Dim>& b
     bell[d] = {middle * down * down * e4, middle * down * e1, middle, middle * up * e1,
                middle * up * up * e4};
   }
+}
+
+/// The lags that the last step left; those of this step start as not known.
+template <int Dim>
+const double* lag_before(BodyBlock<Dim>& b, double unknown, Scratch& scratch) {
+  double* before = scratch.take<double>(b.lag.size());
+  std::copy(b.lag.begin(), b.lag.end(), before);
+  std::fill(b.lag.begin(), b.lag.end(), unknown);
+  return before;
+}
+
+/// Whether a cell is so near to another deformable body that their contact may close. Not of gases: a film of
+/// gas between plates becomes thinner than a cell, and its surfaces must not cross.
+template <int Dim>
+bool may_touch(const State<Dim>& state, const Body<Dim>& body, int slot, std::size_t k) {
+  if (is_gas(body.material.eos)) return false;
+  return std::any_of(state.bodies.begin(), state.bodies.end(), [&](const Body<Dim>& other) {
+    return &other != &body && !other.rigid && other.present(slot) &&
+           other.at(slot).phi[k] < near_body * state.grid().dx && !is_gas(other.material.eos);
+  });
+}
+
+/// What phi takes up of the growth of a mismatch h; nothing where that before is not known (far).
+double growth(double before, double h, double dx) {
+  const double grown = std::min(h - before, h) - usual_growth * dx;
+  return std::clamp(grown, 0.0, most_growth * dx);
 }
 
 }  // namespace
@@ -265,12 +296,14 @@ void advect_level_set_again(const State<Dim>& state, Body<Dim>& body, int slot, 
 }
 
 template <int Dim>
-void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double rate, Scratch& scratch) {
+void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, const Following& following,
+                   Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.phi_next = b.phi;
   if (!b.near_surface || b.reach.size() == 0) return;
   const Grid<Dim>& grid = state.grid();
   const double dx = grid.dx;
+  const double* before = lag_before(b, far_cells * dx, scratch);
   const Window<Dim> w(state.mesh, slot, surface_reach, b.reach);
   const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
   const CutsInView cuts = cuts_in_view(
@@ -302,7 +335,13 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, double ra
                              weights += weight;
                            }
                          });
-    if (weights > 1e-3) b.phi_next[w.cell(i)] -= rate * sum / weights;
+    if (!(weights > 1e-3)) return;
+    const auto k = static_cast<std::size_t>(w.cell(i));
+    const double h = sum / weights;
+    double step = following.rate * h;
+    if (following.growth_beside_bodies && may_touch(state, body, slot, k)) step += growth(before[k], h, dx);
+    b.phi_next[k] -= step;
+    b.lag[k] = h - step;
   });
 }
 
@@ -336,7 +375,7 @@ void cut_out_rigid(const State<Dim>& state, Body<Dim>& body, int slot) {
   template void advect_level_set<Dim>(const State<Dim>&, Body<Dim>&, int, double,                           \
                                       FieldArray<double> BodyBlock<Dim>::*, Scratch&);                      \
   template void advect_level_set_again<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);          \
-  template void follow_volume<Dim>(const State<Dim>&, Body<Dim>&, int, double, Scratch&);                   \
+  template void follow_volume<Dim>(const State<Dim>&, Body<Dim>&, int, const Following&, Scratch&);         \
   template void place_rigid<Dim>(const State<Dim>&, Body<Dim>&, int, double, PhiAt);                        \
   template void cut_out_rigid<Dim>(const State<Dim>&, Body<Dim>&, int);
 RECOIL_INSTANTIATE(1)

@@ -62,7 +62,7 @@ void enter_block(Body<Dim>& body, int slot, const Grid<Dim>& grid) {
       if constexpr (std::is_same_v<T, int>)
         array.raw().assign(n, -1);  // places in a list
       else if constexpr (std::is_same_v<T, double>)
-        array.raw().assign(n, d.id == Field::phi || d.id == Field::phi_midstep ? far_cells * grid.dx : 0.0);
+        array.raw().assign(n, usually_far(d.id) ? far_cells * grid.dx : 0.0);
       else if constexpr (!std::is_same_v<T, CutCell<Dim>>)
         array.raw().assign(n, T{});
     });

@@ -44,6 +44,7 @@ struct BodyBlock {
   FieldArray<double> volume{Field::volume};
   FieldArray<double> phi{Field::phi};
   FieldArray<double> extension_velocity{Field::extension_velocity};
+  FieldArray<double> lag{Field::lag};
   FieldArray<std::uint32_t> contact{Field::contact};
   FieldArray<double> contents_old{Field::contents_old};
   FieldArray<double> volume_old{Field::volume_old};

@@ -165,10 +165,7 @@ void put_list(parallel::Bytes& bytes, const std::vector<T>& list) {
 }
 
 /// What a field of doubles holds where nothing of the body is (enter_block).
-double usual_value(Field field, double dx) {
-  return field == Field::phi || field == Field::phi_midstep || field == Field::phi_next ? far_cells * dx
-                                                                                        : 0.0;
-}
+double usual_value(Field field, double dx) { return usually_far(field) ? far_cells * dx : 0.0; }
 
 /// One field of one block, as its owner sends it.
 template <int Dim>

@@ -50,7 +50,8 @@ constexpr auto field_declarations() {
   using Doubles = FieldDeclaration<Dim, FieldArray<double>>;
   return std::tuple{
       // The state: Q [per Components::contents], V, phi [m] negative inside; the velocity of phi in the last
-      // step [m/s]; a bit for every body that the cell's fragment touched in it.
+      // step [m/s]; how far it left the surface about the cell's foot point behind V [m], far_cells dx where
+      // that is not known; a bit for every body that the cell's fragment touched in it.
       FieldDeclaration{Field::contents, "contents", &B::contents, C::contents, run, cells, false, R::sum,
                        P::conservative, true},
       FieldDeclaration{Field::volume, "volume", &B::volume, 1, run, cells, false, R::sum, P::conservative,
@@ -58,6 +59,7 @@ constexpr auto field_declarations() {
       FieldDeclaration{Field::phi, "phi", &B::phi, 1, run, cells, true, R::mean, P::linear, true},
       FieldDeclaration{Field::extension_velocity, "extension_velocity", &B::extension_velocity, Dim, run,
                        cells, false, R::mean, P::copy, false},
+      FieldDeclaration{Field::lag, "lag", &B::lag, 1, run, cells, false, R::mean, P::copy, false},
       FieldDeclaration{Field::contact, "contact", &B::contact, 1, run, cells, false, R::any, P::copy, true},
       // Kept for the Runge-Kutta mean; allocated where a step has several stages.
       Doubles{Field::contents_old, "contents_old", &B::contents_old, C::contents, step, cells, false,
@@ -141,6 +143,12 @@ template <int Dim, class F>
 void for_each_array(const Donors<Dim>& field, F&& f) {
   f(field.cells);
   f(field.parts);
+}
+
+/// Whether a field holds far_cells dx, not zero, where nothing of a body is.
+constexpr bool usually_far(Field field) {
+  return field == Field::phi || field == Field::phi_midstep || field == Field::phi_next ||
+         field == Field::lag;
 }
 
 /// The fields whose declaration satisfies a condition.

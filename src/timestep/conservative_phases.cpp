@@ -25,7 +25,7 @@ namespace {
 
 using enum Field;
 
-constexpr double follow_rate = 0.02;  // part of the mismatch that phi takes up in a step
+constexpr Following following{.rate = 0.02, .growth_beside_bodies = true};
 
 }  // namespace
 
@@ -147,7 +147,7 @@ void follow_volumes(StepRun<Dim>& step) {
   step.queue_each_body(StepPhase::level_set, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     measure_mismatch(step.state(), body, slot);
   });
-  follow_mismatch(step, follow_rate);
+  follow_mismatch(step, following);
 }
 
 /// Void gives way before matter does.

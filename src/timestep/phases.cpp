@@ -320,11 +320,11 @@ void redistance_band(StepRun<Dim>& step, int sweeps, double frozen) {
 }
 
 template <int Dim>
-void follow_mismatch(StepRun<Dim>& step, double rate) {
-  static constexpr FieldAccess access{"follow mismatch", phi | end_geometry, {}, phi_next};
+void follow_mismatch(StepRun<Dim>& step, const Following& following) {
+  static constexpr FieldAccess access{"follow mismatch", phi | end_geometry, {}, phi_next | lag};
   step.queue_each_body(StepPhase::level_set, access,
-                       [&step, rate](Body<Dim>& body, int slot, Scratch& scratch) {
-                         follow_volume(step.state(), body, slot, rate, scratch);
+                       [&step, following](Body<Dim>& body, int slot, Scratch& scratch) {
+                         follow_volume(step.state(), body, slot, following, scratch);
                        });
   swap_phi(step);
 }
@@ -382,7 +382,7 @@ void update_bands(StepRun<Dim>& step) {
   template void redistance<Dim>(StepRun<Dim>&, double);                       \
   template void swap_phi<Dim>(StepRun<Dim>&);                                 \
   template void redistance_band<Dim>(StepRun<Dim>&, int, double);             \
-  template void follow_mismatch<Dim>(StepRun<Dim>&, double);                  \
+  template void follow_mismatch<Dim>(StepRun<Dim>&, const Following&);        \
   template void update_bands<Dim>(StepRun<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

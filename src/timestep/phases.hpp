@@ -6,6 +6,7 @@
 #include "cutcell/geometry.hpp"
 #include "cutcell/whole_cells.hpp"
 #include "dynamics/block_update.hpp"
+#include "levelset/transport.hpp"
 #include "timestep/step_run.hpp"
 
 /// The phases that the schemes have in common; those of one scheme are in conservative_phases.hpp and
@@ -87,9 +88,9 @@ inline constexpr int sweeps_all = 4;
 /// What a phase has written to phi_next becomes phi.
 template <int Dim>
 void swap_phi(StepRun<Dim>& step);
-/// Moves phi by `rate` of the mismatch (CutCell::mismatch of the end-of-step geometry).
+/// Moves phi by a part of the mismatch (CutCell::mismatch of the end-of-step geometry).
 template <int Dim>
-void follow_mismatch(StepRun<Dim>& step, double rate);
+void follow_mismatch(StepRun<Dim>& step, const Following& following);
 /// Enters and leaves blocks as the surfaces move; brings all that output reads up to date.
 template <int Dim>
 void update_bands(StepRun<Dim>& step);

@@ -118,7 +118,7 @@ void close_gaps(StepRun<Dim>& step, double rate) {
   static constexpr FieldAccess access{"measure gaps", phi | contact | role | geometry, volume, end_geometry};
   step.for_each_slot(StepPhase::level_set, access,
                      [&](int slot, Scratch& scratch) { measure_gaps(step.state(), slot, scratch); });
-  follow_mismatch(step, rate);
+  follow_mismatch(step, {.rate = rate});
 }
 
 template <int Dim>

@@ -144,7 +144,7 @@ TYPED_TEST(Following, PhiFollowsTheVolume) {
   Scratch scratch;
   for (int s = 0; s < state.mesh.local(); ++s) {
     const Scratch::Frame frame(scratch);
-    follow_volume(state, state.bodies[0], s, 0.1, scratch);
+    follow_volume(state, state.bodies[0], s, {.rate = 0.1}, scratch);
   }
   for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
     const bool inside = std::abs(b.phi[k]) < 2 * this->grid.dx;  // each step redistances what is farther
