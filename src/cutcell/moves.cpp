@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "cutcell/leaving.hpp"
+#include "cutcell/lost_fragment.hpp"
 #include "cutcell/moves_view.hpp"
 #include "cutcell/transfer.hpp"
 #include "state/alone.hpp"
@@ -290,7 +291,7 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
 }
 
 template <int Dim>
-void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccount<Dim>& edges,
+void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt, ExactAccount<Dim>& edges,
                    Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
@@ -320,10 +321,12 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAcco
     t.state_cell = i;
     t.factor = 1;
     t.everything = true;
-    if (t.any && !leaves && may_fail) {
+    if (!leaves && may_fail) {
       const auto from = p.window.source_inside(i);
-      if (is_alone(state, body, from.slot, from.cell))
-        keep_without_room(p, i, has_failed(body.at(from.slot), static_cast<std::size_t>(from.cell)), t);
+      const bool failed = has_failed(body.at(from.slot), static_cast<std::size_t>(from.cell));
+      if (t.any && is_alone(state, body, from.slot, from.cell)) keep_without_room(p, i, failed, t);
+      if (!t.any && failed) t = spread(p, i);
+      if (!t.any && failed) t = drift(p, i, state.time, dt, edges);
     }
     return t;
   });
@@ -373,11 +376,12 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   transfer<Dim>(p, b, senders, count, scratch, decide);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                       \
-  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);            \
-  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                            \
-  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, ExactAccount<Dim>&, Scratch&); \
-  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, ExactAccount<Dim>&, Scratch&);   \
+#define RECOIL_INSTANTIATE(Dim)                                                                     \
+  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);          \
+  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                          \
+  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, double, ExactAccount<Dim>&,  \
+                                   Scratch&);                                                       \
+  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, ExactAccount<Dim>&, Scratch&); \
   template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

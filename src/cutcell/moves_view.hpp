@@ -57,6 +57,14 @@ class MovesView {
   /// Whether another body has a part of a cell.
   bool is_shared(const Index<Dim>& i) const { return others && others[window.at(i)] > 0; }
 
+  /// Whether the centre of a cell is in a rigid body, or within half a cell of one.
+  bool is_beside_rigid(const Index<Dim>& i) const {
+    const auto from = window.source_inside(i);
+    return std::any_of(state_.bodies.begin(), state_.bodies.end(), [&](const Body<Dim>& other) {
+      return other.rigid && other.present(from.slot) && other.at(from.slot).phi[from.cell] < 0.5 * grid.dx;
+    });
+  }
+
   bool exists(const Index<Dim>& i) const { return window.source_inside(i).slot >= 0; }
   double full(const Index<Dim>& i) const { return grid.full_volume(i); }
 

@@ -129,38 +129,4 @@ void transfer(const MovesView<Dim>& p, BodyBlock<Dim>& b, const int* senders, in
   });
 }
 
-/// How many cells around one the geometry shows empty although they hold matter.
-template <int Dim>
-int lost_around(const MovesView<Dim>& p, const Index<Dim>& i) {
-  Box<Dim> box{i, i};
-  for (int d = 0; d < Dim; ++d) --box.lo[d], box.hi[d] += 2;
-  int count = 0;
-  for_each(box, [&](const Index<Dim>& j) {
-    if (j == i || !p.window.box().contains(j)) return;
-    const int k = p.window.at(j);
-    if (p.kind[k] == CellKind::empty && p.volume[k] > 0) ++count;
-  });
-  return count;
-}
-
-/// Of matter that has no room where it is sent, what is too much stays: fragments whose level set has fallen
-/// behind their matter get it back (restore_level_set()), instead of being pressed into one cell.
-/// @param failed whether it is a fragment of failed matter. Then all that may send to a cell share its room,
-/// and where the geometry has lost that cell too, only a fuller one takes: else two would change places in
-/// each step.
-template <int Dim>
-void keep_without_room(const MovesView<Dim>& p, const Index<Dim>& from, bool failed, Transfer<Dim>& t) {
-  const int to = p.window.at(t.to);
-  if (failed && p.kind[to] == CellKind::empty && !(p.volume[to] > p.volume[p.window.at(from)])) {
-    t = {};
-    return;
-  }
-  const double room = (p.full(t.to) - p.volume[to]) / (failed ? std::max(lost_around(p, t.to), 1) : 1);
-  if (!(t.volume > room)) return;
-  t.everything = false;
-  t.any = room > 0;
-  t.factor = room / t.volume;
-  t.volume = room;
-}
-
 }  // namespace recoil

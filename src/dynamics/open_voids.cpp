@@ -18,6 +18,8 @@ namespace {
 
 constexpr double whole = 0.98;         // part of a cell from which on it counts as whole
 constexpr double crowded = 1.1;        // cells of matter in one from which on its level set makes room
+constexpr double least_crumb = 0.02;   // of a cell; a crumb of failed matter holds more ...
+constexpr double farthest_crumb = 2;   // [dx] ... and is farther from the surface of its body
 constexpr double most_squeezed = 0.5;  // of its volume, to which gas is compressed at most in a step ...
 constexpr double densest_gas = 0.5;    // ... or to this part of the largest density that it takes
 
@@ -53,6 +55,14 @@ double solid_part(const Body<Dim>& body, const BodyBlock<Dim>& b, std::size_t k)
   for (std::size_t d = 0; d < Dim; ++d) kinetic += 0.5 * q[C::u + d] * q[C::u + d] / q[C::rho];
   const double rho = q[C::rho] / b.volume[k], e = (q[C::energy] - kinetic) / q[C::rho];
   return solid_fraction(body.material.eos, rho, e, q[C::crushed] / q[C::rho]);
+}
+
+/// Whether a cell holds a little failed matter far from the surface of its body. It must stay within reach of
+/// a level set, else it could not go on (lost_fragment.hpp).
+template <int Dim>
+bool is_crumb(const BodyBlock<Dim>& b, std::size_t k, double fill, double dx) {
+  return fill > least_crumb && b.phi[k] > farthest_crumb * dx && has_failed(b, k) &&
+         b.end_geometry.kind[k] == CellKind::empty;
 }
 
 }  // namespace
@@ -101,13 +111,17 @@ std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slo
   std::int64_t count = 0;
   for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     const double fill = b.volume[k] / state.grid().full_volume(i);
-    if (fill < 0.5 || !(b.contents[k] > 0)) return;
-    const bool makes_room = fill > crowded && b.phi[k] > -radius_of<Dim>(fill) * dx &&
-                            is_alone(state, body, slot, static_cast<int>(k));
-    if (b.phi[k] < 0.5 * dx && !makes_room) return;
-    const double solid = fill * solid_part(body, b, k), part = std::min(solid, 1.0);
-    const double wanted = makes_room && solid > crowded ? -radius_of<Dim>(solid) * dx : (0.5 - part) * dx;
-    if (part < 0.5 || wanted >= b.phi[k]) return;
+    if (!(b.contents[k] > 0)) return;
+    double wanted = 0.5 * dx;
+    if (!is_crumb(b, k, fill, dx)) {
+      if (fill < 0.5) return;
+      const bool makes_room = fill > crowded && b.phi[k] > -radius_of<Dim>(fill) * dx &&
+                              is_alone(state, body, slot, static_cast<int>(k));
+      if (b.phi[k] < 0.5 * dx && !makes_room) return;
+      const double solid = fill * solid_part(body, b, k), part = std::min(solid, 1.0);
+      wanted = makes_room && solid > crowded ? -radius_of<Dim>(solid) * dx : (0.5 - part) * dx;
+      if (part < 0.5 || wanted >= b.phi[k]) return;
+    }
     b.phi[k] = wanted;
     ++count;
   });
@@ -120,12 +134,13 @@ void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot) {
   if (!b.near_surface) return;
   const double dx = state.grid().dx, thinnest = thinnest_failed * density(body.material);
   for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    const CellKind kind = b.end_geometry.kind[k];
+    if (kind == CellKind::empty && b.volume[k] == 0 && b.phi[k] < 0) b.phi[k] = 0.5 * dx;  // it has gone on
     // Deeper than phi is kept there is no way outwards by which a cell could be filled.
     const bool failed = has_failed(b, k), deep = b.phi[k] <= -far_cells * dx;
     if (!(b.contents[k] > 0) || !(failed || deep)) return;
     const double others = volume_of_others(state, body, slot, k);
     const double room = state.grid().full_volume(i) - others, v = b.volume[k];
-    const CellKind kind = b.end_geometry.kind[k];
     const bool lacks = kind == CellKind::full && v < room && (deep || b.contents[k] > thinnest * room);
     const bool exceeds = failed && (kind != CellKind::empty || others > 0) && v > room;
     if (lacks)

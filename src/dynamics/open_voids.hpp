@@ -26,7 +26,7 @@ std::int64_t open_voids(const State<Dim>& state, Body<Dim>& body, int slot, Scra
 
 /// Whole matter that the level set has lost gets it back: phi = min(phi, (1/2 - f) dx) where the level set
 /// lies more than half a cell away and matter fills the part f >= 1/2 of the cell without voids. So fragments
-/// of a cell or less keep a surface of their own.
+/// of a cell or less keep a surface of their own. What has left a cell as a whole takes it along.
 /// @returns how many cells are restored.
 template <int Dim>
 std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slot);

@@ -153,7 +153,7 @@ void follow_volumes(StepRun<Dim>& step) {
 /// Void gives way before matter does.
 template <int Dim>
 void fit_voids(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"fit voids", {}, contents | end_geometry | phi, volume};
+  static constexpr FieldAccess access{"fit voids", {}, contents | end_geometry, volume | phi};
   step.queue_each_body(StepPhase::moves, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     if (can_fail(body.material.damage)) fit_voids(step.state(), body, slot);
     if (is_gas(body.material.eos)) fit_gas(step.state(), body, slot);
@@ -161,13 +161,13 @@ void fit_voids(StepRun<Dim>& step) {
 }
 
 template <int Dim>
-void empty_and_fill(StepRun<Dim>& step) {
+void empty_and_fill(StepRun<Dim>& step, double dt) {
   static constexpr FieldAccess empty{"empty outside", contents | volume | end_geometry | phi, {}, updates},
       fill{"fill inside", contents | volume | end_geometry | phi, {}, updates};
   step.queue_each_body(StepPhase::moves, {empty, {.cells = 3, .contents = ContentsSent::around_moves}},
-                       [&step](Body<Dim>& body, int slot, Scratch& scratch) {
+                       [&step, dt](Body<Dim>& body, int slot, Scratch& scratch) {
                          State<Dim>& state = step.state();
-                         empty_outside(state, body, slot,
+                         empty_outside(state, body, slot, dt,
                                        state.ledger[slot].edges[&body - state.bodies.data()], scratch);
                        });
   apply_updates(step, StepPhase::moves);
@@ -194,7 +194,7 @@ void bound_volumes(StepRun<Dim>& step) {
 
 template <int Dim>
 void restore_level_sets(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"restore level sets", {}, contents | volume, phi};
+  static constexpr FieldAccess access{"restore level sets", {}, contents | volume | end_geometry, phi};
   State<Dim>& state = step.state();
   const auto fails = [](const Body<Dim>& body) { return !body.rigid && can_fail(body.material.damage); };
   if (std::none_of(state.bodies.begin(), state.bodies.end(), fails)) return;
@@ -275,7 +275,7 @@ void clear_negative_strain(StepRun<Dim>& step) {
   template void cut_out_rigid_bodies<Dim>(StepRun<Dim>&);                \
   template void exchange_along_surfaces<Dim>(StepRun<Dim>&);             \
   template void follow_volumes<Dim>(StepRun<Dim>&);                      \
-  template void empty_and_fill<Dim>(StepRun<Dim>&);                      \
+  template void empty_and_fill<Dim>(StepRun<Dim>&, double);              \
   template void bound_volumes<Dim>(StepRun<Dim>&);                       \
   template void restore_level_sets<Dim>(StepRun<Dim>&);                  \
   template void open_voids<Dim>(StepRun<Dim>&);                          \

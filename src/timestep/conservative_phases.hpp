@@ -33,7 +33,7 @@ void exchange_along_surfaces(StepRun<Dim>& step);
 template <int Dim>
 void follow_volumes(StepRun<Dim>& step);
 template <int Dim>
-void empty_and_fill(StepRun<Dim>& step);
+void empty_and_fill(StepRun<Dim>& step, double dt);
 template <int Dim>
 void bound_volumes(StepRun<Dim>& step);
 /// Fragments of matter that can fail keep their level sets.

@@ -47,7 +47,7 @@ double advance(State<Dim>& state, const Stepping& stepping, double until, Engine
   exchange_along_surfaces(step);
   follow_volumes(step);
   cut_cells(step, Surfaces::shared, PhiAt::now);
-  empty_and_fill(step);
+  empty_and_fill(step, dt);
   bound_volumes(step);
   average_inadmissible_states(step);
   fail_what_moved(step);

@@ -36,7 +36,7 @@ TYPED_TEST(LostFragments, GatherInTheFullerCell) {
   });
   ExactAccount<dim> edges;
   update_all(state, 0,
-             [&](int s, Scratch& scratch) { empty_outside(state, state.bodies[0], s, edges, scratch); });
+             [&](int s, Scratch& scratch) { empty_outside(state, state.bodies[0], s, 0, edges, scratch); });
   double fuller = 0, other = 0;
   for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
     if (column(i, 7)) fuller = b.volume[k] / whole;

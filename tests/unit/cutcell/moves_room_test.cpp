@@ -75,8 +75,9 @@ TYPED_TEST(MovesBesideAnother, WhatLiesOutsideGoesWhereOtherBodiesLeaveRoom) {
   this->put(state, outside, 0.1 * this->whole(), this->one);
   this->put(state, inward, 0.6 * this->whole(), this->one, 1);
   this->put(state, beside, 0.3 * this->whole(), this->one);
-  this->run(state,
-            [&](int s, Scratch& scratch) { empty_outside(state, state.bodies[0], s, this->edges, scratch); });
+  this->run(state, [&](int s, Scratch& scratch) {
+    empty_outside(state, state.bodies[0], s, 0, this->edges, scratch);
+  });
   EXPECT_EQ(this->volume(state, outside), 0);
   EXPECT_NEAR(this->volume(state, inward) / this->whole(), 0.4, 1e-12);
   EXPECT_NEAR(this->volume(state, beside) / this->whole(), 0.4, 1e-12);

@@ -113,8 +113,9 @@ TYPED_TEST(Moves, WhatLiesOutsideGoesInwards) {
   auto state = this->slab(7.4);
   const auto outside = TestFixture::cell(8, 9), inwards = TestFixture::cell(7, 9);
   this->put(state, outside, 0.05 * this->whole(), this->one);
-  this->run(state,
-            [&](int s, Scratch& scratch) { empty_outside(state, state.bodies[0], s, this->edges, scratch); });
+  this->run(state, [&](int s, Scratch& scratch) {
+    empty_outside(state, state.bodies[0], s, 0, this->edges, scratch);
+  });
   EXPECT_EQ(this->volume(state, outside), 0);
   EXPECT_NEAR(this->volume(state, inwards) / this->whole(), 0.45, 1e-12);
   EXPECT_EQ(this->edges.mass.value(), 0);
@@ -129,7 +130,7 @@ TYPED_TEST(Moves, TheRestOfABodyBeyondAnOpenEdgeIsBookedAsOutflow) {
   const double volume = 0.05 * this->whole();
   this->put(state, last, volume, this->one);
   update_all(state, 0, [&](int s, Scratch& scratch) {
-    empty_outside(state, state.bodies[0], s, this->edges, scratch);
+    empty_outside(state, state.bodies[0], s, 0, this->edges, scratch);
   });
   EXPECT_EQ(this->volume(state, last), 0);
   for (const double left : totals(state, 0)) EXPECT_EQ(left, 0);
@@ -287,7 +288,7 @@ TYPED_TEST(Moves, NegativeVolumesInFullCellsAreTakenInByMatterThatCanFail) {
     const auto under = TestFixture::cell(6, 9);
     this->put(state, under, -0.3 * this->whole(), this->one);
     this->run(state, [&](int s, Scratch& scratch) {
-      empty_outside(state, state.bodies[0], s, this->edges, scratch);
+      empty_outside(state, state.bodies[0], s, 0, this->edges, scratch);
     });
     EXPECT_NEAR(this->volume(state, under) / this->whole(), can_fail ? 0 : -0.3, 1e-12);
     this->expect_uniform(state);
@@ -357,7 +358,7 @@ TYPED_TEST(Moves, NothingMovesInASettledBody) {
   std::vector<double> before = totals(state, 0);
   update_all(state, 0, [&](int s, Scratch& scratch) {
     auto& body = state.bodies[0];
-    empty_outside(state, body, s, this->edges, scratch);
+    empty_outside(state, body, s, 0, this->edges, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
     fill_inside(state, body, s, this->edges, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());
@@ -373,7 +374,7 @@ TYPED_TEST(Moves, BlocksWithoutReachAreLeftAlone) {
   this->run(state, [&](int s, Scratch& scratch) {
     auto& body = state.bodies[0];
     body.at(s).reach = {};
-    empty_outside(state, body, s, this->edges, scratch);
+    empty_outside(state, body, s, 0, this->edges, scratch);
     fill_inside(state, body, s, this->edges, scratch);
     bound_volumes(state, body, s, this->counters, scratch);
     EXPECT_TRUE(body.at(s).updates.empty());

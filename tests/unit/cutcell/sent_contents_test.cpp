@@ -128,7 +128,7 @@ TYPED_TEST(SentContents, AreAllThatMovesRead) {
   this->check(
       ContentsSent::around_moves, 3,
       [this](State<dim>& state, int s, Scratch& scratch) {
-        empty_outside(state, state.bodies[0], s, this->edges, scratch);
+        empty_outside(state, state.bodies[0], s, 0, this->edges, scratch);
       },
       found);
   this->check(

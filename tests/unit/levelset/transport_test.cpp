@@ -121,7 +121,7 @@ TYPED_TEST(Carrying, NothingMovesAtRest) {
 }
 
 template <class D>
-struct Following : testing::Test {
+struct FollowingVolume : testing::Test {
   static constexpr int dim = D::value;
   Grid<dim> grid = make_test_grid<dim>(24, 12, Edge::outflow);
   State<dim> state = make_test_state<dim>(grid, {ball(middle_of(grid), 6.3 * grid.dx)});
@@ -132,10 +132,10 @@ struct Following : testing::Test {
     return norm(grid.centre(i) - middle_of(grid)) - 6.3 * grid.dx;
   }
 };
-TYPED_TEST_SUITE(Following, Dimensions);
+TYPED_TEST_SUITE(FollowingVolume, Dimensions);
 
 /// More volume than phi shows: the surface moves outwards, phi falls; only in the band.
-TYPED_TEST(Following, PhiFollowsTheVolume) {
+TYPED_TEST(FollowingVolume, PhiFollowsTheVolume) {
   constexpr int dim = TestFixture::dim;
   auto& state = this->state;
   const double h = 0.2 * this->grid.dx;
@@ -152,7 +152,46 @@ TYPED_TEST(Following, PhiFollowsTheVolume) {
   });
 }
 
-TYPED_TEST(Following, TheWallsVelocityIsSpreadOverTheBand) {
+/// Where another body is within 1.5 dx, phi takes up at once what the mismatch has grown by beyond 0.005 dx.
+TYPED_TEST(FollowingVolume, GrowthIsTakenUpWhereContactMayClose) {
+  constexpr int dim = TestFixture::dim;
+  const double dx = this->grid.dx, h = 0.03 * dx, rate = 0.02;
+  Vec<dim> gap, inwards;
+  gap[0] = 7.3 * dx, inwards[0] = -1;  // the other body lies beyond a gap of one cell
+  State<dim> state = make_test_state<dim>(
+      this->grid, {ball(middle_of(this->grid), 6.3 * dx), half_space(middle_of(this->grid) + gap, inwards)});
+  cut_all(state);
+  const auto largest_step = [&](double lag, bool beside_bodies) {
+    Scratch scratch;
+    double largest = 0;
+    for (auto& b : state.bodies[0].blocks) {
+      for (auto& cut : b.end_geometry.cuts) cut.mismatch = h;
+      std::fill(b.lag.begin(), b.lag.end(), lag);
+    }
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      const Scratch::Frame frame(scratch);
+      follow_volume(state, state.bodies[0], s, {.rate = rate, .growth_beside_bodies = beside_bodies},
+                    scratch);
+    }
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      const double step = b.phi[k] - b.phi_next[k];
+      largest = std::max(largest, step);
+      const bool followed = std::abs(b.phi[k])<2 * dx, far = state.bodies[1].at(0).phi[k]> 1.5 * dx;
+      if (far && state.mesh.local() == 1) EXPECT_NEAR(step, followed ? rate * h : 0, 1e-14) << i[0];
+      ASSERT_NEAR(b.lag[k], followed ? h - step : far_cells * dx, 1e-14);
+    });
+    return largest;
+  };
+  EXPECT_NEAR(largest_step(0.01 * dx, true), rate * h + 0.015 * dx, 1e-14);   // 0.02 - 0.005
+  EXPECT_NEAR(largest_step(-0.02 * dx, true), rate * h + 0.025 * dx, 1e-14);  // not beyond V: 0.03 - 0.005
+  EXPECT_NEAR(largest_step(0.026 * dx, true), rate * h, 1e-14);               // as corners do
+  EXPECT_NEAR(largest_step(far_cells * dx, true), rate * h, 1e-14);           // not known before
+  EXPECT_NEAR(largest_step(0.01 * dx, false), rate * h, 1e-14);
+  for (auto& body : state.bodies) body.material.eos = IdealGas{.rho0 = 1.2, .gamma = 1.4, .p0 = 1e5};
+  EXPECT_NEAR(largest_step(0.01 * dx, true), rate * h, 1e-14);
+}
+
+TYPED_TEST(FollowingVolume, TheWallsVelocityIsSpreadOverTheBand) {
   constexpr int dim = TestFixture::dim;
   auto& state = this->state;
   Vec<dim> u;
@@ -180,7 +219,7 @@ TYPED_TEST(Following, TheWallsVelocityIsSpreadOverTheBand) {
 }
 
 /// A level set that has swallowed a rigid ball gives it back, but for a tenth of a cell.
-TYPED_TEST(Following, RigidBodiesAreCutOut) {
+TYPED_TEST(FollowingVolume, RigidBodiesAreCutOut) {
   constexpr int dim = TestFixture::dim;
   const auto middle = middle_of(this->grid);
   const double dx = this->grid.dx;
@@ -198,7 +237,7 @@ TYPED_TEST(Following, RigidBodiesAreCutOut) {
   });
 }
 
-TYPED_TEST(Following, RigidBodiesAreWhereTheirMotionPutsThem) {
+TYPED_TEST(FollowingVolume, RigidBodiesAreWhereTheirMotionPutsThem) {
   constexpr int dim = TestFixture::dim;
   auto& state = this->state;
   Vec<dim> u;
