@@ -6,6 +6,7 @@
 
 #include "cutcell/leaving.hpp"
 #include "cutcell/transfer.hpp"
+#include "state/places.hpp"
 
 /// Fragments of failed matter in cells that the geometry, linear between nodes, shows empty: a disc of less
 /// than two cells has all nodes outside.
@@ -86,6 +87,33 @@ inline int lines_crossed(double u, double time, double dt, double dx) {
   return static_cast<int>(std::clamp(lines, -1.0, 1.0));
 }
 
+/// The cell to which what cell i holds moves in a step by its velocity; i itself: it stays.
+template <int Dim>
+Index<Dim> next_place(const MovesView<Dim>& p, const Index<Dim>& i, const Contents<Dim>& q, double time,
+                      double dt) {
+  Index<Dim> to = i;
+  const Vec<Dim> u = velocity<Dim>(q);
+  for (int d = 0; d < Dim; ++d) to[d] += lines_crossed(u[d], time, dt, p.grid.dx);
+  return to;
+}
+
+/// Whether a cell holds a lost fragment.
+template <int Dim>
+bool holds_lost(const MovesView<Dim>& p, const Index<Dim>& i, const Contents<Dim>& q) {
+  const int k = p.window.at(i);
+  return p.kind[k] == CellKind::empty && p.volume[k] > 0 && q[0] > 0 &&
+         q[Components<Dim>::damage] >= failed_damage * q[0];
+}
+
+/// Room [m^Dim] in a cell once lost fragments of the body that go on in this step have left it.
+template <int Dim>
+double room_after(const MovesView<Dim>& p, const Index<Dim>& i, double time, double dt) {
+  if (p.kind[p.window.at(i)] != CellKind::empty || p.volume[p.window.at(i)] == 0) return p.room(i);
+  const Contents<Dim> q = p.contents(i);
+  const bool leaves = holds_lost(p, i, q) && !(next_place(p, i, q, time, dt) == i);
+  return p.room(i) + (leaves ? p.volume[p.window.at(i)] : 0);
+}
+
 /// A lost fragment has no faces through which it could flow: it goes as a whole, by a cell along each axis
 /// whose lines it crosses in the step, where there is room, and out of the domain through open edges, which
 /// is booked in `edges`.
@@ -94,26 +122,34 @@ Transfer<Dim> drift(const MovesView<Dim>& p, const Index<Dim>& i, double time, d
                     ExactAccount<Dim>& edges) {
   Transfer<Dim> t;
   const Contents<Dim> q = p.contents(i);
-  const double v = p.volume[p.window.at(i)];
-  if (!(q[0] > 0) || !(v > 0)) return t;
-  const Vec<Dim> u = velocity<Dim>(q);
-  t.to = t.state_cell = i;
+  if (!holds_lost(p, i, q)) return t;
+  t.state_cell = i;
+  t.to = next_place(p, i, q, time, dt);
+  t.volume = p.volume[p.window.at(i)];
   bool leaves = false;
-  for (int d = 0; d < Dim; ++d) {
-    const int lines = lines_crossed(u[d], time, dt, p.grid.dx);
-    t.to[d] += lines;
-    const bool beyond = t.to[d] < 0 || t.to[d] >= p.grid.cells[d];
-    leaves = leaves || (beyond && p.grid.edge[d][lines < 0 ? 0 : 1] == Edge::outflow);
-  }
+  for (int d = 0; d < Dim; ++d)
+    leaves = leaves || (t.to[d] < 0 && p.grid.edge[d][0] == Edge::outflow) ||
+             (t.to[d] >= p.grid.cells[d] && p.grid.edge[d][1] == Edge::outflow);
   if (leaves)
     t.to = i;
-  else if (t.to == i || !can_go(p, t.to) || p.room(t.to) < std::min(v, (1 - most_beside) * p.full(t.to)))
+  else if (t.to == i || !can_go(p, t.to) ||
+           room_after(p, t.to, time, dt) < std::min(t.volume, (1 - most_beside) * p.full(t.to)))
     return {};
   t.any = t.everything = true;
-  t.volume = v;
   t.factor = 1;
   if (leaves && p.window.inner().contains(i)) book<Dim>(q, edges);
   return t;
+}
+
+/// What becomes of a lost fragment, `inwards` being what its body takes of it: if not all, it goes on with
+/// its velocity or spreads.
+template <int Dim>
+Transfer<Dim> move_lost(const MovesView<Dim>& p, const Index<Dim>& i, const Transfer<Dim>& inwards,
+                        double time, double dt, ExactAccount<Dim>& edges) {
+  if (inwards.any && inwards.everything) return inwards;
+  const Transfer<Dim> on = drift(p, i, time, dt, edges);
+  if (on.any || inwards.any) return on.any ? on : inwards;
+  return spread(p, i);
 }
 
 }  // namespace recoil
