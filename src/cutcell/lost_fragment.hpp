@@ -114,30 +114,54 @@ double room_after(const MovesView<Dim>& p, const Index<Dim>& i, double time, dou
   return p.room(i) + (leaves ? p.volume[p.window.at(i)] : 0);
 }
 
+/// Whether a place lies beyond an open edge of the domain.
+template <int Dim>
+bool is_outside(const MovesView<Dim>& p, const Index<Dim>& to) {
+  for (int d = 0; d < Dim; ++d)
+    if ((to[d] < 0 && p.grid.edge[d][0] == Edge::outflow) ||
+        (to[d] >= p.grid.cells[d] && p.grid.edge[d][1] == Edge::outflow))
+      return true;
+  return false;
+}
+
+/// Whether a lost fragment of volume v [m^Dim] has room at a place, whose whole cell may be smaller than its
+/// own (beside the axis of symmetry).
+template <int Dim>
+bool has_room_at(const MovesView<Dim>& p, const Index<Dim>& from, const Index<Dim>& to, double v, double time,
+                 double dt) {
+  return can_go(p, to) && room_after(p, to, time, dt) >= std::min(v, (1 - most_beside) * p.full(from));
+}
+
 /// A lost fragment has no faces through which it could flow: it goes as a whole, by a cell along each axis
-/// whose lines it crosses in the step, where there is room, and out of the domain through open edges, which
-/// is booked in `edges`.
+/// whose lines it crosses in the step, or along one of them, where there is room; and out of the domain
+/// through open edges, which is booked in `edges`.
 template <int Dim>
 Transfer<Dim> drift(const MovesView<Dim>& p, const Index<Dim>& i, double time, double dt,
                     ExactAccount<Dim>& edges) {
   Transfer<Dim> t;
   const Contents<Dim> q = p.contents(i);
   if (!holds_lost(p, i, q)) return t;
-  t.state_cell = i;
-  t.to = next_place(p, i, q, time, dt);
+  const Index<Dim> next = next_place(p, i, q, time, dt);
+  if (next == i) return t;
+  t.state_cell = t.to = i;
   t.volume = p.volume[p.window.at(i)];
-  bool leaves = false;
-  for (int d = 0; d < Dim; ++d)
-    leaves = leaves || (t.to[d] < 0 && p.grid.edge[d][0] == Edge::outflow) ||
-             (t.to[d] >= p.grid.cells[d] && p.grid.edge[d][1] == Edge::outflow);
-  if (leaves)
-    t.to = i;
-  else if (t.to == i || !can_go(p, t.to) ||
-           room_after(p, t.to, time, dt) < std::min(t.volume, (1 - most_beside) * p.full(t.to)))
-    return {};
-  t.any = t.everything = true;
   t.factor = 1;
-  if (leaves && p.window.inner().contains(i)) book<Dim>(q, edges);
+  t.everything = true;
+  if (is_outside(p, next)) {
+    t.any = true;
+    if (p.window.inner().contains(i)) book<Dim>(q, edges);
+    return t;
+  }
+  std::array<Index<Dim>, Dim + 1> places;
+  places.fill(i);
+  places[0] = next;
+  for (int d = 0; d < Dim; ++d) places[static_cast<std::size_t>(d) + 1][d] = next[d];
+  for (const Index<Dim>& to : places) {
+    if (to == i || !has_room_at(p, i, to, t.volume, time, dt)) continue;
+    t.to = to;
+    t.any = true;
+    break;
+  }
   return t;
 }
 

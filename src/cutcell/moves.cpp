@@ -296,7 +296,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
-  MovesView<Dim> p(state, body, slot, 2, scratch);
+  MovesView<Dim> p(state, body, slot, 3, scratch);  // what is lost around the place where a fragment may go
   int listed = 0;
   const bool may_fail = can_fail(body.material.damage);
   int* senders = list_senders(p, listed, scratch, [may_fail](CellKind kind, double volume, double /*full*/) {

@@ -112,7 +112,7 @@ std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slo
   for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     const double fill = b.volume[k] / state.grid().full_volume(i);
     if (!(b.contents[k] > 0)) return;
-    double wanted = 0.5 * dx;
+    double wanted = -0.01 * dx;  // a surface of its own, so that its level set stays
     if (!is_crumb(b, k, fill, dx)) {
       if (fill < 0.5) return;
       const bool makes_room = fill > crowded && b.phi[k] > -radius_of<Dim>(fill) * dx &&

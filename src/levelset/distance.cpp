@@ -139,6 +139,11 @@ Foot<Dim> foot_point(const Grid<Dim>& grid, const Box<Dim>& window, const double
   return f;
 }
 
+/// Beyond `slow_from` [dx] a surface that appears at once, that of a fragment whose level set is restored,
+/// comes nearer by `most_nearer` [dx] each time: a cell that the bands of the last step left out stays farther
+/// than what takes part in moves of volume (MovesView::can_take), which comes after two redistancings.
+constexpr double slow_from = 2, most_nearer = 0.7;
+
 template <int Dim>
 void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, double frozen,
                 Scratch& scratch) {
@@ -191,7 +196,14 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
   Box<Dim> rows = w.inner();
   rows.hi[0] = rows.lo[0] + 1;
   const int width = w.inner().extent(0);
-  for_each(rows, [&](const Index<Dim>& i) { std::copy_n(p + w.at(i), width, out + w.cell(i)); });
+  for_each(rows, [&](const Index<Dim>& i) {
+    const double *found = p + w.at(i), *before = p0 + w.at(i);
+    double* row = out + w.cell(i);
+    for (int c = 0; c < width; ++c) {
+      const double least = before[c] > slow_from * h ? before[c] - most_nearer * h : -far;
+      row[c] = std::max(found[c], least);
+    }
+  });
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                            \
