@@ -13,6 +13,8 @@ namespace recoil {
 
 namespace {
 
+constexpr double nearest_slowed = 2;  // [dx] from which on phi falls by `most_nearer` at most
+
 constexpr double pseudo_step = 0.45;  // of the smallest distance used
 
 double minmod(double a, double b) { return a * b <= 0 ? 0 : std::abs(a) < std::abs(b) ? a : b; }
@@ -139,14 +141,9 @@ Foot<Dim> foot_point(const Grid<Dim>& grid, const Box<Dim>& window, const double
   return f;
 }
 
-/// Beyond `slow_from` [dx] a surface that appears at once, that of a fragment whose level set is restored,
-/// comes nearer by `most_nearer` [dx] each time: a cell that the bands of the last step left out stays farther
-/// than what takes part in moves of volume (MovesView::can_take), which comes after two redistancings.
-constexpr double slow_from = 2, most_nearer = 0.7;
-
 template <int Dim>
 void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, double frozen,
-                Scratch& scratch) {
+                double most_nearer, Scratch& scratch) {
   const double h = state.grid().dx, far = far_cells * h;
   const Window<Dim> w(state.mesh, slot, 2 * sweeps);
   const auto n = static_cast<std::size_t>(w.size());
@@ -200,7 +197,7 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
     const double *found = p + w.at(i), *before = p0 + w.at(i);
     double* row = out + w.cell(i);
     for (int c = 0; c < width; ++c) {
-      const double least = before[c] > slow_from * h ? before[c] - most_nearer * h : -far;
+      const double least = before[c] > nearest_slowed * h ? before[c] - most_nearer * h : -far;
       row[c] = std::max(found[c], least);
     }
   });
@@ -208,7 +205,7 @@ void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, 
 
 #define RECOIL_INSTANTIATE(Dim)                                                                            \
   template Foot<Dim> foot_point<Dim>(const Grid<Dim>&, const Box<Dim>&, const double*, const Index<Dim>&); \
-  template void redistance<Dim>(const State<Dim>&, Body<Dim>&, int, int, double, Scratch&);
+  template void redistance<Dim>(const State<Dim>&, Body<Dim>&, int, int, double, double, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

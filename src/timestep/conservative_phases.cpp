@@ -206,7 +206,7 @@ void restore_level_sets(StepRun<Dim>& step) {
     if (count > 0) any[slot] = 1;
   });
   if (step.engine().world.any(std::count(any.begin(), any.end(), 1) > 0))
-    redistance_band(step, sweeps_all, -1);
+    redistance_band(step, sweeps_all, -1, nearer_when_restored);
 }
 
 template <int Dim>

@@ -304,15 +304,15 @@ void redistance(StepRun<Dim>& step, double dt) {
 }
 
 template <int Dim>
-void redistance_band(StepRun<Dim>& step, int sweeps, double frozen) {
+void redistance_band(StepRun<Dim>& step, int sweeps, double frozen, double most_nearer) {
   static constexpr FieldAccess access{"redistance", phi, {}, phi_next | phi_midstep};
   step.queue_each_body(StepPhase::level_set, access,
-                       [&step, sweeps, frozen](Body<Dim>& body, int slot, Scratch& scratch) {
+                       [&step, sweeps, frozen, most_nearer](Body<Dim>& body, int slot, Scratch& scratch) {
                          BodyBlock<Dim>& b = body.at(slot);
                          if (b.phi_next.empty())
                            b.phi_next.swap(b.phi_midstep);  // of a block that the body has just entered
                          if (b.near_surface)
-                           redistance(step.state(), body, slot, sweeps, frozen, scratch);
+                           redistance(step.state(), body, slot, sweeps, frozen, most_nearer, scratch);
                          else
                            b.phi_next = b.phi;
                        });
@@ -381,7 +381,7 @@ void update_bands(StepRun<Dim>& step) {
   template void remember_contact<Dim>(StepRun<Dim>&);                         \
   template void redistance<Dim>(StepRun<Dim>&, double);                       \
   template void swap_phi<Dim>(StepRun<Dim>&);                                 \
-  template void redistance_band<Dim>(StepRun<Dim>&, int, double);             \
+  template void redistance_band<Dim>(StepRun<Dim>&, int, double, double);     \
   template void follow_mismatch<Dim>(StepRun<Dim>&, const Following&);        \
   template void update_bands<Dim>(StepRun<Dim>&);
 RECOIL_INSTANTIATE(1)

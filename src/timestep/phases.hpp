@@ -81,8 +81,12 @@ void remember_contact(StepRun<Dim>& step);
 template <int Dim>
 void redistance(StepRun<Dim>& step, double dt);
 /// Redistances the whole band: `sweeps` of it. @param frozen [dx] phi nearer to the surface stays; -1: none.
+/// @param most_nearer [dx] by which phi falls at most away from the surface. Two come before the moves of
+/// volume, in which cells of reach_cells - 1.5 dx take part: 1 and then 0.4. No surface moves a cell in a
+/// step.
 template <int Dim>
-void redistance_band(StepRun<Dim>& step, int sweeps, double frozen);
+void redistance_band(StepRun<Dim>& step, int sweeps, double frozen, double most_nearer = 1);
+inline constexpr double nearer_when_restored = 0.4;
 /// Sweeps that bring the band back to a distance after it has changed at once.
 inline constexpr int sweeps_all = 4;
 /// What a phase has written to phi_next becomes phi.

@@ -27,11 +27,11 @@ struct Distances : testing::Test {
   double distorted(const Vec<dim>& x) const {
     return (norm(x - middle) - radius) * (1 + 0.5 * std::sin(2 * (x[0] - middle[0])));
   }
-  static void sweep(State<dim>& state, int sweeps, double frozen) {
+  static void sweep(State<dim>& state, int sweeps, double frozen, double most_nearer = far_cells) {
     Scratch scratch;
     for (int s = 0; s < state.mesh.local(); ++s) {
       const Scratch::Frame frame(scratch);
-      redistance(state, state.bodies[0], s, sweeps, frozen, scratch);
+      redistance(state, state.bodies[0], s, sweeps, frozen, most_nearer, scratch);
     }
     for (auto& b : state.bodies[0].blocks) std::swap(b.phi, b.phi_next);
   }
@@ -64,6 +64,26 @@ TYPED_TEST(Distances, ADistanceStaysAsItIs) {
     if (std::abs(exact) > 2 * this->dx) return;
     ASSERT_NEAR(b.phi[k], exact, 0.03 * this->dx);
   });
+}
+
+/// The level set of a fragment that is restored: what is farther than two cells comes nearer step by step.
+TYPED_TEST(Distances, ASurfaceThatAppearsComesNearerStepByStep) {
+  constexpr int dim = TestFixture::dim;
+  const double dx = this->dx, far = far_cells * dx;
+  const auto nowhere = [far](const Vec<dim>&) { return far; };
+  auto state = make_test_state<dim>(this->grid, {nowhere});
+  const Index<dim> at = this->grid.cell_of(this->middle);
+  for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+    if (i == at) b.phi[k] = -0.4 * dx;
+  });
+  for (const double least : {far - 0.4 * dx, far - 0.8 * dx, far - 1.2 * dx}) {
+    TestFixture::sweep(state, 4, -1, 0.4);
+    double nearest = far;
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      if (!(i == at)) nearest = std::min(nearest, b.phi[k]);
+    });
+    EXPECT_NEAR(nearest, least, 1e-12);
+  }
 }
 
 TYPED_TEST(Distances, FrozenCellsKeepTheirValueToTheLastBit) {
