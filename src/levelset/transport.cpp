@@ -178,11 +178,10 @@ bool mean_wall_velocity(const Grid<Dim>& grid, const Box<Dim>& window, const Cut
 }
 
 constexpr double followed_cells = 2;  // [dx] farther cells need not follow: each step redistances them
-constexpr double near_body = 1.5;     // [dx] from the surface of another body contact may close soon
-constexpr double usual_growth =
-    0.005;  // [dx] of the mismatch in a step: corners that cross cells, slow contact
-constexpr double most_growth = 0.05;  // [dx] taken up in a step
-constexpr int ring = 2;               // cells about a foot point whose mismatch counts
+constexpr double near_body = 1.5;     // [dx] nearer to the surface of another body contact may close soon
+// [dx] of growth of the mismatch in a step: that of corners which cross cells and of slow contact; taken up.
+constexpr double usual_growth = 0.005, most_growth = 0.05;
+constexpr int ring = 2;  // cells about a foot point whose mismatch counts
 using Bell = std::array<double, 2 * ring + 1>;
 
 /// exp(-(x + k)^2) for k = -2..2 along every axis: exp(-x^2) exp(-2 x k) exp(-k^2).

@@ -49,9 +49,8 @@ constexpr auto field_declarations() {
   using P = Prolongation;
   using Doubles = FieldDeclaration<Dim, FieldArray<double>>;
   return std::tuple{
-      // The state: Q [per Components::contents], V, phi [m] negative inside; the velocity of phi in the last
-      // step [m/s]; how far it left the surface about the cell's foot point behind V [m], far_cells dx where
-      // that is not known; a bit for every body that the cell's fragment touched in it.
+      // The state: Q [per Components::contents], V, phi [m] negative inside; phi's velocity in the last step
+      // [m/s], how far it stayed behind V [m], far if not known; a bit for every body that was touched then.
       FieldDeclaration{Field::contents, "contents", &B::contents, C::contents, run, cells, false, R::sum,
                        P::conservative, true},
       FieldDeclaration{Field::volume, "volume", &B::volume, 1, run, cells, false, R::sum, P::conservative,

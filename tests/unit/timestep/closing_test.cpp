@@ -29,7 +29,7 @@ double fullest_cell(const State<2>& state) {
 }
 
 /// A disc flattens on a block: the rim of their contact closes at an angle, and runs faster than the disc
-/// falls. Level sets that come behind there let the bodies into cells that are full (decision 0062): 1.21
+/// falls. Level sets that come behind there let the bodies into cells that are full (decision 0062): 1.13
 /// cells then.
 TEST(Closing, MatterHasRoomWhereContactClosesAtAnAngle) {
   const auto domain = domain_of(Geometry::planar, {-5 * mm, -3 * mm}, {5 * mm, 5 * mm});
