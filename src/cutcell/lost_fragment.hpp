@@ -49,12 +49,17 @@ void keep_without_room(const MovesView<Dim>& p, const Index<Dim>& from, bool fai
 
 constexpr double most_beside = 0.02;  // of a cell, that others may hold where a lost fragment goes
 constexpr double least_space = 0.5;   // of a cell, that must be free where one spreads
+constexpr double surely_reached = 3;  // [dx] from the surface
 constexpr double crowded_cell = 1.1;  // cells of matter in one from which on it spreads
 
-/// Whether a lost fragment may go to a cell at all.
+/// Whether a lost fragment may go to a cell at all. Cells that the bands of the last step left out (phi >=
+/// reach_cells dx) take no part in moves; two redistancings before the moves bring them 2 and 0.4 dx nearer
+/// at most (redistance_band()).
 template <int Dim>
 bool can_go(const MovesView<Dim>& p, const Index<Dim>& to) {
-  return p.exists(to) && p.can_take(to) && !p.is_beside_rigid(to);
+  if (!p.exists(to) || p.is_beside_rigid(to)) return false;
+  const int k = p.window.at(to);
+  return p.phi[k] < surely_reached * p.grid.dx || p.volume[k] != 0;
 }
 
 /// What a lost fragment of more than a cell has beyond it goes to the cell that shares a face with the most

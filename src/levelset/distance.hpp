@@ -26,7 +26,7 @@ Foot<Dim> foot_point(const Grid<Dim>& grid, const Box<Dim>& window, const double
 /// @param sweeps at most 4.
 /// @param most_nearer [dx] by which phi falls at most where it is above 2 dx. A surface that appears at once,
 /// that of a fragment whose level set is restored, comes nearer step by step: a cell that the bands of the
-/// last step left out (reach_cells) stays farther than what takes part in moves (MovesView::can_take).
+/// last step left out (reach_cells) stays farther than where lost fragments may go (lost_fragment.hpp).
 template <int Dim>
 void redistance(const State<Dim>& state, Body<Dim>& body, int slot, int sweeps, double frozen,
                 double most_nearer, Scratch& scratch);

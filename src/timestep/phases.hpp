@@ -81,11 +81,10 @@ void remember_contact(StepRun<Dim>& step);
 template <int Dim>
 void redistance(StepRun<Dim>& step, double dt);
 /// Redistances the whole band: `sweeps` of it. @param frozen [dx] phi nearer to the surface stays; -1: none.
-/// @param most_nearer [dx] by which phi falls at most away from the surface. Two come before the moves of
-/// volume, in which cells of reach_cells - 1.5 dx take part: 1 and then 0.4. No surface moves a cell in a
-/// step.
+/// @param most_nearer [dx] by which phi falls at most away from the surface: 2, that of a surface that moves
+/// by a cell in a block that it has just entered, and 0.4 after level sets have been restored.
 template <int Dim>
-void redistance_band(StepRun<Dim>& step, int sweeps, double frozen, double most_nearer = 1);
+void redistance_band(StepRun<Dim>& step, int sweeps, double frozen, double most_nearer = 2);
 inline constexpr double nearer_when_restored = 0.4;
 /// Sweeps that bring the band back to a distance after it has changed at once.
 inline constexpr int sweeps_all = 4;
