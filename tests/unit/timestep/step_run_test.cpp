@@ -172,8 +172,8 @@ TEST(Fields, AreDeclaredOnce) {
   });
   EXPECT_EQ(count, static_cast<int>(Field::count));
   EXPECT_EQ(seen, FieldSet::all());
-  EXPECT_EQ(run_fields<3>(),
-            Field::contents | Field::volume | Field::phi | Field::extension_velocity | Field::contact);
+  EXPECT_EQ(run_fields<3>(), Field::contents | Field::volume | Field::phi | Field::extension_velocity |
+                                 Field::lag | Field::contact);
 }
 
 /// What is allocated is what the estimate counts.
