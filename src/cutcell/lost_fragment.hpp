@@ -7,6 +7,7 @@
 
 #include "cutcell/leaving.hpp"
 #include "cutcell/transfer.hpp"
+#include "state/alone.hpp"
 #include "state/places.hpp"
 
 /// Fragments of failed matter in cells that the geometry, linear between nodes, shows empty: a disc of less
@@ -47,10 +48,9 @@ void keep_without_room(const MovesView<Dim>& p, const Index<Dim>& from, bool fai
   t.volume = room;
 }
 
-constexpr double most_beside = 0.02;  // of a cell, that others may hold where a lost fragment goes
-constexpr double least_space = 0.5;   // of a cell, that must be free where one spreads
-constexpr double surely_reached = 3;  // [dx] from the surface
-constexpr double crowded_cell = 1.1;  // cells of matter in one from which on it spreads
+inline constexpr double most_beside = 0.02;  // of a cell, that others may hold where a lost fragment goes
+inline constexpr double least_space = 0.5;   // of a cell, that must be free where one spreads
+inline constexpr double surely_reached = 3;  // [dx] from the surface
 
 /// Whether a lost fragment may go to a cell at all. Cells that the bands of the last step left out (phi >=
 /// reach_cells dx) take no part in moves; two redistancings before the moves bring them 2 and 0.4 dx nearer
@@ -68,7 +68,7 @@ template <int Dim>
 Transfer<Dim> spread(const MovesView<Dim>& p, const Index<Dim>& i) {
   Transfer<Dim> t;
   const double v = p.volume[p.window.at(i)], whole = p.full(i);
-  if (!(v > crowded_cell * whole)) return t;
+  if (!(v > crowded * whole)) return t;
   double best = least_space;
   for (int d = 0; d < Dim; ++d)
     for (int side = -1; side <= 1; side += 2) {
@@ -86,11 +86,11 @@ Transfer<Dim> spread(const MovesView<Dim>& p, const Index<Dim>& i) {
   return t;
 }
 
-/// How many lines of the mesh what moves with speed u [m/s] crosses in a step: -1, 0 or 1. It is where x = u
-/// t says, whole cells only, so that it moves as fast as u on average.
-inline int lines_crossed(double u, double time, double dt, double dx) {
-  const double lines = std::floor(u * (time + dt) / dx) - std::floor(u * time / dx);
-  return static_cast<int>(std::clamp(lines, -1.0, 1.0));
+/// How many borders between cells x = u t [m] crosses in a step, one at most either way: so matter that moves
+/// by whole cells is as fast as u on average.
+inline int borders_crossed(double u, double time, double dt, double dx) {
+  const double borders = std::floor(u * (time + dt) / dx) - std::floor(u * time / dx);
+  return static_cast<int>(std::clamp(borders, -1.0, 1.0));
 }
 
 /// The cell to which what cell i holds moves in a step by its velocity; i itself: it stays.
@@ -99,7 +99,7 @@ Index<Dim> next_place(const MovesView<Dim>& p, const Index<Dim>& i, const Conten
                       double dt) {
   Index<Dim> to = i;
   const Vec<Dim> u = velocity<Dim>(q);
-  for (int d = 0; d < Dim; ++d) to[d] += lines_crossed(u[d], time, dt, p.grid.dx);
+  for (int d = 0; d < Dim; ++d) to[d] += borders_crossed(u[d], time, dt, p.grid.dx);
   return to;
 }
 
@@ -139,7 +139,7 @@ bool has_room_at(const MovesView<Dim>& p, const Index<Dim>& from, const Index<Di
 }
 
 /// A lost fragment has no faces through which it could flow: it goes as a whole, by a cell along each axis
-/// whose lines it crosses in the step, or along one of them, where there is room; and out of the domain
+/// whose borders it crosses in the step, or along one of them, where there is room; and out of the domain
 /// through open edges, which is booked in `edges`.
 template <int Dim>
 Transfer<Dim> drift(const MovesView<Dim>& p, const Index<Dim>& i, double time, double dt,

@@ -17,9 +17,8 @@ namespace recoil {
 namespace {
 
 constexpr double whole = 0.98;         // part of a cell from which on it counts as whole
-constexpr double crowded = 1.1;        // cells of matter in one from which on its level set makes room
-constexpr double least_crumb = 0.02;   // of a cell; a crumb of failed matter holds more ...
-constexpr double farthest_crumb = 2;   // [dx] ... and is farther from the surface of its body
+constexpr double least_kept = 0.02;    // of a cell; a lost fragment that holds more keeps a level set ...
+constexpr double kept_from = 2;        // [dx] ... where the surface of its body is farther
 constexpr double most_squeezed = 0.5;  // of its volume, to which gas is compressed at most in a step ...
 constexpr double densest_gas = 0.5;    // ... or to this part of the largest density that it takes
 
@@ -57,11 +56,11 @@ double solid_part(const Body<Dim>& body, const BodyBlock<Dim>& b, std::size_t k)
   return solid_fraction(body.material.eos, rho, e, q[C::crushed] / q[C::rho]);
 }
 
-/// Whether a cell holds a little failed matter far from the surface of its body. It must stay within reach of
-/// a level set, else it could not go on (lost_fragment.hpp).
+/// Whether a cell holds a fragment that the geometry has lost, far from the surface of its body. It must stay
+/// within reach of a level set, else it could not go on (lost_fragment.hpp).
 template <int Dim>
-bool is_crumb(const BodyBlock<Dim>& b, std::size_t k, double fill, double dx) {
-  return fill > least_crumb && b.phi[k] > farthest_crumb * dx && has_failed(b, k) &&
+bool is_far_and_lost(const BodyBlock<Dim>& b, std::size_t k, double fill, double dx) {
+  return fill > least_kept && b.phi[k] > kept_from * dx && has_failed(b, k) &&
          b.end_geometry.kind[k] == CellKind::empty;
 }
 
@@ -113,7 +112,7 @@ std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slo
     const double fill = b.volume[k] / state.grid().full_volume(i);
     if (!(b.contents[k] > 0)) return;
     double wanted = -0.01 * dx;  // a surface of its own, so that its level set stays
-    if (!is_crumb(b, k, fill, dx)) {
+    if (!is_far_and_lost(b, k, fill, dx)) {
       if (fill < 0.5) return;
       const bool makes_room = fill > crowded && b.phi[k] > -radius_of<Dim>(fill) * dx &&
                               is_alone(state, body, slot, static_cast<int>(k));

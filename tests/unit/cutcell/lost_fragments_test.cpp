@@ -11,18 +11,18 @@
 namespace recoil {
 namespace {
 
-TEST(LinesCrossed, KeepTheVelocityOnAverage) {
+TEST(BordersCrossed, KeepTheVelocityOnAverage) {
   Random random(7);
   const double dx = 2e-4;
   for (const double u : {5850.0, -313.0, 0.0}) {
     double time = 0;
-    int lines = 0;
+    int borders = 0;
     for (int n = 0; n < 2000; ++n) {
       const double dt = random(0.2, 1) * 1e-8;
-      lines += lines_crossed(u, time, dt, dx);
+      borders += borders_crossed(u, time, dt, dx);
       time += dt;
     }
-    EXPECT_NEAR(lines, u * time / dx, 1);
+    EXPECT_NEAR(borders, u * time / dx, 1);
   }
 }
 
@@ -81,7 +81,7 @@ struct LostFragments : testing::Test {
   void steps_to(double end) {
     while (state.time < end) step(std::min(dt, end - state.time));
   }
-  double lines(double n) const { return (n + 0.5) * grid.dx / u; }
+  double time_of(double n) const { return (n + 0.5) * grid.dx / u; }
 };
 TYPED_TEST_SUITE(LostFragments, Dimensions);
 
@@ -101,11 +101,11 @@ TYPED_TEST(LostFragments, GoOnWithTheirVelocity) {
   this->put(0, 7, 0.8, this->u);
   const double mass = totals(this->state, 0)[0];
   for (const int n : {1, 5, 12}) {
-    this->steps_to(this->lines(n));
+    this->steps_to(this->time_of(n));
     ASSERT_NEAR(this->cells_at(7 + n), 0.8, 1e-12) << n;
     ASSERT_NEAR(totals(this->state, 0)[0], mass, 1e-13 * mass);
   }
-  this->steps_to(this->lines(13));
+  this->steps_to(this->time_of(13));
   EXPECT_EQ(totals(this->state, 0)[0], 0);
   EXPECT_NEAR(this->edges.value().mass, mass, 1e-13 * mass);
   EXPECT_NEAR(this->edges.value().momentum[0], mass * this->u, 1e-10 * mass * this->u);
@@ -114,7 +114,7 @@ TYPED_TEST(LostFragments, GoOnWithTheirVelocity) {
 TYPED_TEST(LostFragments, OneBehindTheOtherKeepTheirDistance) {
   this->put(0, 6, 0.8, this->u);
   this->put(0, 7, 0.8, this->u);
-  this->steps_to(this->lines(6));
+  this->steps_to(this->time_of(6));
   EXPECT_NEAR(this->cells_at(12), 0.8, 1e-12);
   EXPECT_NEAR(this->cells_at(13), 0.8, 1e-12);
 }
@@ -122,7 +122,7 @@ TYPED_TEST(LostFragments, OneBehindTheOtherKeepTheirDistance) {
 TYPED_TEST(LostFragments, WaitWhereAnotherBodyLeavesNoRoom) {
   this->put(0, 7, 0.8, this->u);
   this->put(1, 10, 0.5, 0);
-  this->steps_to(this->lines(6));
+  this->steps_to(this->time_of(6));
   EXPECT_NEAR(this->cells_at(9), 0.8, 1e-12);
 }
 
