@@ -49,7 +49,7 @@ function partsOf(run: Run, others: Run[]): HTMLElement[] {
     run.gauges.length > 0 ? section("gauges", "Gauges", gaugeCharts(run, others, charts)) : null,
     section("events", "Events", events(run.events, show)),
     pieces ? section("fragments", "Fragments", pieces) : null,
-    section("budgets", "Balances", run.summary ? budgets(run.summary.budgets) : null, history),
+    section("budgets", "Balances", run.summary ? budgets(run.summary) : null, history),
     section("materials", "Materials", materials(run), sources(run)),
     section("case", "Case", caseText(run)),
   ].filter((part) => part !== null);

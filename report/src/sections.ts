@@ -1,6 +1,6 @@
 // Parts of the page that are text and tables.
 
-import type { Drift, Expectation, Material, Reason, Run, RunEvent } from "./data";
+import type { Expectation, Material, Reason, Run, RunEvent, Summary } from "./data";
 import { h, table } from "./dom";
 import { prettyUnit, withUnit, written } from "./numbers";
 
@@ -147,14 +147,16 @@ export function fragments(all: Run["fragments"]): HTMLElement | null {
   );
 }
 
-export function budgets(all: Record<string, Drift>): HTMLElement {
-  const rows = Object.entries(all).map(([name, d]) => [
+export function budgets(summary: Summary): HTMLElement {
+  const rows = Object.entries(summary.budgets).map(([name, d]) => [
     name,
     written(d.mass, 2),
     written(d.momentum, 2),
     written(d.energy, 2),
+    written(summary.centre_of_mass?.[name]?.off_mm, 2),
   ]);
-  return table("Largest drift of the balances", ["Body", "Mass", "Momentum", "Energy"], rows, [1, 2, 3]);
+  const columns = ["Body", "Mass", "Momentum", "Energy", "Centre of mass off [mm]"];
+  return table("Largest drift of the balances", columns, rows, [1, 2, 3, 4]);
 }
 
 export function materials(run: Run): HTMLElement {

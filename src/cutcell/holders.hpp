@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -7,6 +8,14 @@
 #include "core/scratch.hpp"
 
 namespace recoil {
+
+/// Bit sets of axes (numbered by steepness): single axes, then pairs, then all three.
+template <int Dim>
+constexpr std::array<unsigned, (1U << Dim) - 1> axes_by_count() {
+  if constexpr (Dim == 1) return {1};
+  if constexpr (Dim == 2) return {1, 2, 3};
+  if constexpr (Dim == 3) return {1, 2, 4, 3, 5, 6, 7};
+}
 
 /// One small fragment with the cells that it shares with. Members are places in the window, the fragment
 /// itself first.

@@ -58,11 +58,11 @@ bool leaves_domain(const MovesView<Dim>& p, const Index<Dim>& i) {
   return momentum != 0 && upwards != edge.low;
 }
 
-/// Adds what leaves to the account of the edges.
+/// Adds what leaves from a place [m] to the account of the edges.
 template <int Dim>
-void book(const Contents<Dim>& contents, ExactAccount<Dim>& edges) {
+void book(const Contents<Dim>& contents, const Vec<Dim>& place, ExactEdgeAccount<Dim>& edges) {
   using C = Components<Dim>;
-  edges.mass += contents[C::rho];
+  edges.leave(contents[C::rho], place);
   edges.energy += contents[C::energy];
   for (std::size_t d = 0; d < Dim; ++d) edges.momentum.c[d] += contents[C::u + d];
 }

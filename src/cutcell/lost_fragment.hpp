@@ -143,7 +143,7 @@ bool has_room_at(const MovesView<Dim>& p, const Index<Dim>& from, const Index<Di
 /// through open edges, which is booked in `edges`.
 template <int Dim>
 Transfer<Dim> drift(const MovesView<Dim>& p, const Index<Dim>& i, double time, double dt,
-                    ExactAccount<Dim>& edges) {
+                    ExactEdgeAccount<Dim>& edges) {
   Transfer<Dim> t;
   const Contents<Dim> q = p.contents(i);
   if (!holds_lost(p, i, q)) return t;
@@ -155,7 +155,7 @@ Transfer<Dim> drift(const MovesView<Dim>& p, const Index<Dim>& i, double time, d
   t.everything = true;
   if (is_outside(p, next)) {
     t.any = true;
-    if (p.window.inner().contains(i)) book<Dim>(q, edges);
+    if (p.window.inner().contains(i)) book<Dim>(q, p.grid.centre(i), edges);
     return t;
   }
   std::array<Index<Dim>, Dim + 1> places;
@@ -175,7 +175,7 @@ Transfer<Dim> drift(const MovesView<Dim>& p, const Index<Dim>& i, double time, d
 /// its velocity or spreads.
 template <int Dim>
 Transfer<Dim> move_lost(const MovesView<Dim>& p, const Index<Dim>& i, const Transfer<Dim>& inwards,
-                        double time, double dt, ExactAccount<Dim>& edges) {
+                        double time, double dt, ExactEdgeAccount<Dim>& edges) {
   if (inwards.any && inwards.everything) return inwards;
   const Transfer<Dim> on = drift(p, i, time, dt, edges);
   if (on.any || inwards.any) return on.any ? on : inwards;

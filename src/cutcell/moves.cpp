@@ -21,7 +21,7 @@ namespace {
 constexpr double least_state_fill = 0.02;  // below it a fragment's state carries no volume
 constexpr double open_bound = 0.1;         // how far V may be below 0 or above the cell where it is not thin
 constexpr double rounding = 1e-13;         // a smaller excess over a whole cell is none
-constexpr double counted_excess = 0.01;    // nearer to its bounds a volume is moved but not counted
+constexpr double counted_excess = open_bound;  // nearer to its cell a volume is moved but not counted
 constexpr double ample_fill = 0.3;   // a neighbour with less does not lend to a cell that lacks volume ...
 constexpr double ample_times = 4;    // ... nor one with less than so many times what is lacking
 constexpr double most_lent = 0.5;    // of what a neighbour has, it gives in its own state
@@ -66,11 +66,13 @@ double surface_flow(const MovesView<Dim>& p, const Index<Dim>& i, int d, Index<D
 
 /// Sends what cell i holds to the fullest cell around that has much more: one that shares a face, else a
 /// diagonal one. Where it is a negative volume, one that moves otherwise counts as less full: matter m taken
-/// off at another velocity takes the heat m |du|^2/2 with it, which the rest has not.
+/// off at another velocity takes the heat m |du|^2/2 with it, which the rest has not. A cell that is mostly
+/// void, with less mass than is missing, does not take it.
 template <int Dim>
 void send_to_fullest(const MovesView<Dim>& p, const Index<Dim>& i, Transfer<Dim>& t) {
   const double volume = p.volume[p.window.at(i)], have = std::abs(volume);
-  const Vec<Dim> u = velocity<Dim>(p.contents(i));
+  const Contents<Dim> q = p.contents(i);
+  const Vec<Dim> u = velocity<Dim>(q);
   const auto likeness = [&](const Index<Dim>& j) {
     if (volume >= 0) return 1.0;
     const Vec<Dim> du = velocity<Dim>(p.contents(j)) - u;
@@ -86,6 +88,7 @@ void send_to_fullest(const MovesView<Dim>& p, const Index<Dim>& i, Transfer<Dim>
       if (apart == 0 || (apart > 1) != diagonal) return;
       const double v = p.volume[p.window.at(j)];
       if (v <= fullest_times * have || v <= least_state_fill * p.full(j)) return;
+      if (q[0] < 0 && p.contents(j)[0] + q[0] <= 0) return;
       const double rank = v / p.full(j) * likeness(j);
       if (rank <= best) return;
       best = rank;
@@ -232,7 +235,7 @@ Transfer<Dim> made_full(const MovesView<Dim>& p, const Index<Dim>& i, double exc
 /// What a full cell at an open edge, beyond which the body goes on, gives there or takes from there.
 template <int Dim>
 Transfer<Dim> across_edge(const MovesView<Dim>& p, const Index<Dim>& i, double excess,
-                          ExactAccount<Dim>& edges) {
+                          ExactEdgeAccount<Dim>& edges) {
   Transfer<Dim> t;
   const double v = p.volume[p.window.at(i)];
   if (!(v > least_state_fill * p.full(i))) return t;
@@ -242,7 +245,7 @@ Transfer<Dim> across_edge(const MovesView<Dim>& p, const Index<Dim>& i, double e
   t.factor = excess / v;
   Contents<Dim> passes{};
   add_scaled<Dim>(passes, p.contents(i), t.factor);
-  if (p.window.inner().contains(i)) book<Dim>(passes, edges);
+  if (p.window.inner().contains(i)) book<Dim>(passes, p.grid.centre(i), edges);
   return t;
 }
 
@@ -285,14 +288,15 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
   for (CutCell<Dim>& cut : b.end_geometry.cuts) {
     const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
     const double area = std::max(norm(cut.surface), least_mismatch_area * face * grid.radius(i[0]));
+    cut.failed = has_failed(b, static_cast<std::size_t>(cut.cell));
     cut.mismatch = std::clamp((b.volume[cut.cell] - cut.volume) / area, -most_mismatch * grid.dx,
                               most_mismatch * grid.dx);
   }
 }
 
 template <int Dim>
-void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt, ExactAccount<Dim>& edges,
-                   Scratch& scratch) {
+void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt,
+                   ExactEdgeAccount<Dim>& edges, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
   if (!b.near_surface || b.reach.size() == 0) return;
@@ -316,7 +320,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt
     if (!leaves && p.kind[p.window.at(i)] == CellKind::cut) return t;
     t.to = leaves ? i : with_room(p, i, p.neighbour(i, -1));
     t.any = leaves || (!(t.to == i) && p.can_take(t.to));
-    if (leaves && p.window.inner().contains(i)) book<Dim>(p.contents(i), edges);
+    if (leaves && p.window.inner().contains(i)) book<Dim>(p.contents(i), p.grid.centre(i), edges);
     t.volume = p.volume[p.window.at(i)];
     t.state_cell = i;
     t.factor = 1;
@@ -332,7 +336,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt
 }
 
 template <int Dim>
-void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccount<Dim>& edges,
+void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactEdgeAccount<Dim>& edges,
                  Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   b.updates.clear();
@@ -375,12 +379,12 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   transfer<Dim>(p, b, senders, count, scratch, decide);
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                     \
-  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);          \
-  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                          \
-  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, double, ExactAccount<Dim>&,  \
-                                   Scratch&);                                                       \
-  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, ExactAccount<Dim>&, Scratch&); \
+#define RECOIL_INSTANTIATE(Dim)                                                                         \
+  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);              \
+  template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                              \
+  template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, double, ExactEdgeAccount<Dim>&,  \
+                                   Scratch&);                                                           \
+  template void fill_inside<Dim>(const State<Dim>&, Body<Dim>&, int, ExactEdgeAccount<Dim>&, Scratch&); \
   template void bound_volumes<Dim>(const State<Dim>&, Body<Dim>&, int, Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -28,8 +28,8 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot);
 /// failed matter that have no such neighbour go on with their own velocity (lost_fragment.hpp).
 /// @param dt of the step [s]; state.time is that of its start.
 template <int Dim>
-void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt, ExactAccount<Dim>& edges,
-                   Scratch& scratch);
+void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt,
+                   ExactEdgeAccount<Dim>& edges, Scratch& scratch);
 
 /// Cells that the geometry shows full pass what they hold beyond a whole cell to their neighbour outwards, or
 /// take what they lack from it. A deficit stays where it would take the neighbour below its least volume
@@ -37,7 +37,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt
 /// an open edge of the domain, the body goes on there in the cell's own state, and what passes is booked in
 /// `edges`. Farther than six cells inside nothing moves.
 template <int Dim>
-void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactAccount<Dim>& edges,
+void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactEdgeAccount<Dim>& edges,
                  Scratch& scratch);
 
 /// Bounds the volume of cut cells: below the bound all goes to the fullest neighbour, above it the excess to

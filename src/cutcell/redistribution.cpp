@@ -19,8 +19,10 @@ namespace {
 
 constexpr double member_fill = 0.001;  // least part of a cell that a member fills
 constexpr double merge_fill = 0.02;    // least volume of a neighbourhood
-// Cells that a negative fragment shares at least; with half of one whole cell it may be nothing.
-constexpr double least_shares = 0.25;
+// Cells that a negative fragment shares at least (with half of one whole cell it may be nothing), and what it
+// is taken to get of its neighbours. Where some are mostly void, the mean density of a small rest means
+// nothing.
+constexpr double least_shares = 0.25, share_of_others = 0.5, share_beside_voids = 0.2;
 constexpr double home_fill = 0.3;  // where lone fragments go
 // Differences of density, in parts of it, between the two cells behind a pair: calm ones, and a strong shock.
 constexpr double calm_jump = 0.05, shocked_jump = 0.1;
@@ -112,6 +114,13 @@ class Redistribution {
     others += volume_[k];
   }
 
+  /// Whether a fragment whose mass is below zero has it made up by the part `share` of the others'.
+  bool balances_mass(const Neighbourhood& s, double share) const {
+    double sum = contents(s.cell)[0];
+    for (int m = 1; m < s.members && sum < 0; ++m) sum += share * contents(members_[s.first + m])[0];
+    return sum >= 0;
+  }
+
   /// The inward neighbour along the steepest axis; then the other axes and the diagonals towards the inside,
   /// then all cells around, then those around them: until they hold half a cell, and share least_shares.
   void form(Neighbourhood& s) {
@@ -123,15 +132,18 @@ class Redistribution {
     std::stable_sort(axis.begin(), axis.end(), [&](int a, int b) { return std::abs(g[a]) > std::abs(g[b]); });
     s.members = 0;
     members_[s.first + s.members++] = s.cell;
-    const double own_volume = volume_[s.cell], shares = least_shares * full(i);
+    const bool voids = can_fail(body_.material.damage);
+    const double own_volume = volume_[s.cell], shares = least_shares * full(i),
+                 share = voids ? share_beside_voids : share_of_others;
     double others = 0;
     const auto enough = [&] {
-      return own_volume + others >= target && (own_volume >= 0 || own_volume + 0.5 * others >= shares);
+      return own_volume + others >= target && (own_volume >= 0 || own_volume + share * others >= shares) &&
+             (!voids || balances_mass(s, share));
     };
     const auto inward = [&](int d) { return g[d] > 0 ? -1 : 1; };
     s.axis = axis[0];
     s.direction = inward(axis[0]);
-    for (const unsigned subset : subsets_by_size()) {
+    for (const unsigned subset : axes_by_count<Dim>()) {
       if (subset != 1 && enough()) return;
       if (subset != 1) s.axis = -1;
       Index<Dim> j = i;
@@ -148,13 +160,6 @@ class Redistribution {
       for (int d = 0; d < Dim; ++d) box.lo[d] -= ring, box.hi[d] += ring + 1;
       for_each(box, [&](const Index<Dim>& j) { add_member(s, j, others); });
     }
-  }
-
-  /// Bit sets of axes (numbered by steepness): single axes, then pairs, then all three.
-  static constexpr std::array<unsigned, (1U << Dim) - 1> subsets_by_size() {
-    if constexpr (Dim == 1) return {1};
-    if constexpr (Dim == 2) return {1, 2, 3};
-    if constexpr (Dim == 3) return {1, 2, 4, 3, 5, 6, 7};
   }
 
   void form_neighbourhoods() {
@@ -309,11 +314,9 @@ class Redistribution {
   /// The nearest fragment above 0.3 of a cell within three cells, or -1.
   int home_of(int k) const {
     const Index<Dim> i = window_.box().index(k);
-    Box<Dim> box{i, i};
-    for (int d = 0; d < Dim; ++d) {
-      box.lo[d] = std::max(i[d] - 3, window_.box().lo[d]);
-      box.hi[d] = std::min(i[d] + 4, window_.box().hi[d]);
-    }
+    Box<Dim> box = window_.box();
+    for (int d = 0; d < Dim; ++d)
+      box.lo[d] = std::max(i[d] - 3, box.lo[d]), box.hi[d] = std::min(i[d] + 4, box.hi[d]);
     int best = -1, nearest = 1 << 20;
     for_each(box, [&](const Index<Dim>& j) {
       int r2 = 0;
@@ -354,10 +357,7 @@ class Redistribution {
       u.volume = volume_[k];
       u.contents = holders_.any(k) ? new_contents(k) : contents(k);
       for (int l = 0; l < lone; ++l) {
-        if (lone_cell[l] == k) {
-          u.volume = 0;
-          u.contents = {};
-        }
+        if (lone_cell[l] == k) u.volume = 0, u.contents = {};
         if (lone_home[l] != k) continue;
         u.volume += volume_[lone_cell[l]];
         const Q q = new_contents(lone_cell[l]);

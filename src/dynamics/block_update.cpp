@@ -201,7 +201,7 @@ void drop_outside(Work<Dim>& w) {
 
 template <int Dim, bool Shear, class Scheme>
 void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slot, Cells cells,
-            FaceTime faces, double dt, double weight, ExactAccount<Dim>& edges, Counters& counters,
+            FaceTime faces, double dt, double weight, ExactEdgeAccount<Dim>& edges, Counters& counters,
             Scratch& scratch) {
   using C = Components<Dim>;
   BodyBlock<Dim>& b = body.at(slot);
@@ -233,7 +233,7 @@ void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slo
 
 template <class Scheme, int Dim>
 void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells, FaceTime faces, double dt,
-                 double weight, ExactAccount<Dim>& edges, Counters& counters, Scratch& scratch) {
+                 double weight, ExactEdgeAccount<Dim>& edges, Counters& counters, Scratch& scratch) {
   if (body.at(slot).matter.size() == 0) return;
   const AnyEos eos{body.material.eos};
   if (has_strength(body.material.strength) && !is_fluid(eos.eos))
@@ -246,13 +246,13 @@ void update_with(const State<Dim>& state, Body<Dim>& body, int slot, Cells cells
 
 template <int Dim>
 void update_block(const State<Dim>& state, Body<Dim>& body, int slot, FaceTime faces, double dt,
-                  double weight, ExactAccount<Dim>& edges, Counters& counters, Scratch& scratch) {
+                  double weight, ExactEdgeAccount<Dim>& edges, Counters& counters, Scratch& scratch) {
   update_with<WenoHllc>(state, body, slot, Cells::cut, faces, dt, weight, edges, counters, scratch);
 }
 
 template <int Dim>
 void update_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, FaceScheme scheme, double dt,
-                        double weight, ExactAccount<Dim>& edges, Counters& counters, Scratch& scratch) {
+                        double weight, ExactEdgeAccount<Dim>& edges, Counters& counters, Scratch& scratch) {
   if (scheme == FaceScheme::eno_llf)
     update_with<EnoLlf>(state, body, slot, Cells::whole, FaceTime::now, dt, weight, edges, counters, scratch);
   else
@@ -262,9 +262,9 @@ void update_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, Face
 
 #define RECOIL_INSTANTIATE(Dim)                                                                         \
   template void update_block<Dim>(const State<Dim>&, Body<Dim>&, int, FaceTime, double, double,         \
-                                  ExactAccount<Dim>&, Counters&, Scratch&);                             \
+                                  ExactEdgeAccount<Dim>&, Counters&, Scratch&);                         \
   template void update_whole_cells<Dim>(const State<Dim>&, Body<Dim>&, int, FaceScheme, double, double, \
-                                        ExactAccount<Dim>&, Counters&, Scratch&);
+                                        ExactEdgeAccount<Dim>&, Counters&, Scratch&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -19,7 +19,7 @@ enum class FaceTime { now, midstep };
 ///   is booked with it.
 template <int Dim>
 void update_block(const State<Dim>& state, Body<Dim>& body, int slot, FaceTime faces, double dt,
-                  double weight, ExactAccount<Dim>& edges, Counters& counters, Scratch& scratch);
+                  double weight, ExactEdgeAccount<Dim>& edges, Counters& counters, Scratch& scratch);
 
 /// How fluxes through faces are found.
 enum class FaceScheme {
@@ -32,6 +32,6 @@ enum class FaceScheme {
 /// real cell only, so that nothing is conserved at surfaces. Ghost values carry the conditions there.
 template <int Dim>
 void update_whole_cells(const State<Dim>& state, Body<Dim>& body, int slot, FaceScheme scheme, double dt,
-                        double weight, ExactAccount<Dim>& edges, Counters& counters, Scratch& scratch);
+                        double weight, ExactEdgeAccount<Dim>& edges, Counters& counters, Scratch& scratch);
 
 }  // namespace recoil

@@ -197,7 +197,8 @@ void add_fluxes(const Faces<Dim>& in, Work<Dim>& w) {
 /// Books what passes the edges of the domain, times `booked` seconds. Nothing is booked at periodic edges: it
 /// comes back on the other side.
 template <int Dim>
-void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booked, ExactAccount<Dim>& edges) {
+void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booked,
+                ExactEdgeAccount<Dim>& edges) {
   using C = Components<Dim>;
   if (w.grid.periodic(axis)) return;
   const std::size_t nf = in.flux.faces;
@@ -211,7 +212,9 @@ void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booke
     const double sign = side == 0 ? -booked : booked;
     for_each(face, [&](const Index<Dim>& i) {
       const int k = in.box.at(i);
-      edges.mass += sign * area[k] * flux[C::rho * nf + k];
+      Vec<Dim> middle = w.grid.centre(i);
+      middle[axis] -= 0.5 * w.grid.dx;
+      edges.leave(sign * area[k] * flux[C::rho * nf + k], middle);
       edges.energy += sign * area[k] * flux[C::energy * nf + k];
       for (std::size_t d = 0; d < Dim; ++d) edges.momentum.c[d] += sign * area[k] * flux[(C::u + d) * nf + k];
     });
@@ -222,7 +225,7 @@ void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booke
 /// @param booked seconds with which what passes the edges of the domain is booked in `edges`.
 template <int Dim, int Axis, bool Shear, class Scheme>
 void sweep(const AnyEos& eos, const Geometry<Dim>& geometry, Work<Dim>& w, double booked,
-           ExactAccount<Dim>& edges, Counters& counters, Scratch& scratch) {
+           ExactEdgeAccount<Dim>& edges, Counters& counters, Scratch& scratch) {
   const Scratch::Frame frame(scratch);
   Box<Dim> faces = w.cells;
   ++faces.hi[Axis];

@@ -36,7 +36,7 @@ template <int Dim>
 struct Totals {
   double time = 0;                      // s
   std::vector<BodyTotals<Dim>> bodies;  // zeros for rigid ones that move as prescribed
-  std::vector<Account<Dim>> edges;      // by body: what has left
+  std::vector<EdgeAccount<Dim>> edges;  // by body: what has left
   std::vector<double> released;         // by body: energy of detonation [J]
   std::vector<Account<Dim>> pairs;      // by pair_number: received by the lower-numbered body
   std::vector<Vec<3>> moments;          // the same of the angular momentum about the origin

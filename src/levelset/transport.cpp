@@ -308,10 +308,13 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, const Fol
   const CutsInView cuts = cuts_in_view(
       w, [&](int s) { return body.present(s) ? body.at(s).end_geometry.index.data() : nullptr; }, scratch);
   double* mismatch = scratch.take<double>(static_cast<std::size_t>(cuts.count));
+  double* failed = scratch.take<double>(static_cast<std::size_t>(cuts.count));
   for (int m = 0; m < cuts.count; ++m) {
     const auto from = w.source(w.box().index(cuts.cell[m]));
     const Geometry<Dim>& g = body.at(from.slot).end_geometry;
-    mismatch[m] = g.cuts[g.index[from.cell]].mismatch;
+    const CutCell<Dim>& cut = g.cuts[g.index[from.cell]];
+    mismatch[m] = cut.mismatch;
+    failed[m] = cut.failed ? 1 : 0;
   }
   for_each(w.inner(), [&](const Index<Dim>& i) {
     if (std::abs(phi[w.at(i)]) >= followed_cells * dx) return;
@@ -321,7 +324,7 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, const Fol
     Vec<Dim> off = grid.centre(near) - foot.point;
     for (int d = 0; d < Dim; ++d) off[d] /= dx;
     bells_about<Dim>(off, bell);
-    double sum = 0, weights = 0;
+    double sum = 0, failing = 0, weights = 0;
     for_each_row_of_cuts(cuts, w.box(), around_cell(near, ring, w.box()),
                          [&](const Index<Dim>& j, int at, int first, int end) {
                            const int from_near = j[0] - near[0] + ring - at;
@@ -331,13 +334,14 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, const Fol
                              double weight = bell[0][cuts.cell[m] + from_near];
                              for (int d = 1; d < Dim; ++d) weight *= across[d];
                              sum += weight * mismatch[m];
+                             failing += weight * failed[m];
                              weights += weight;
                            }
                          });
     if (!(weights > 1e-3)) return;
     const auto k = static_cast<std::size_t>(w.cell(i));
     const double h = sum / weights;
-    double step = following.rate * h;
+    double step = (following.rate + failing / weights * (following.rate_failed - following.rate)) * h;
     if (following.growth_beside_bodies && may_touch(state, body, slot, k)) step += growth(before[k], h, dx);
     b.phi_next[k] -= step;
     b.lag[k] = h - step;

@@ -25,14 +25,16 @@ void advect_level_set_again(const State<Dim>& state, Body<Dim>& body, int slot, 
 /// What phi takes up of its mismatch in a step.
 struct Following {
   double rate = 0;                    // the part of it
+  double rate_failed = rate;          // the same of failed matter
   bool growth_beside_bodies = false;  // and what it has grown by since the last step, where contact may close
 };
 
 /// phi follows V: phi_next = phi - rate h, h the mismatch (V - V_phi)/A_I of the cut cells (CutCell::mismatch
 /// of the end-of-step geometry) averaged along the surface with exp(-r^2/dx^2) over 5^Dim cells about the
-/// foot point. Where the surface of another deformable body is within 1.5 dx and neither is a gas, growth of
-/// h since the last step (BodyBlock::lag) beyond 0.005 dx is taken up at once, as far as h > 0 and by 0.05 dx
-/// at most: else contact would close late, over cells that are full already (decision 0062).
+/// foot point. The rate is the mean, with the same weights, of those of failed matter and of other matter
+/// (decision 0064). Where the surface of another deformable body is within 1.5 dx and neither is a gas,
+/// growth of h since the last step (BodyBlock::lag) beyond 0.005 dx is taken up at once, as far as h > 0 and
+/// by 0.05 dx at most: else contact would close late, over cells that are full already (decision 0062).
 template <int Dim>
 void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, const Following& following,
                    Scratch& scratch);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "format/run_units.hpp"
-#include "record/budget.hpp"
+#include "record/balance/budget.hpp"
 #include "record/events.hpp"
 #include "record/fragment_table.hpp"
 #include "record/quantities.hpp"

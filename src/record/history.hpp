@@ -8,7 +8,7 @@
 
 #include "format/csv.hpp"
 #include "format/run_units.hpp"
-#include "record/budget.hpp"
+#include "record/balance/budget.hpp"
 
 namespace recoil {
 

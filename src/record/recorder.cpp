@@ -57,6 +57,7 @@ void Recorder<Dim>::begin(const State<Dim>& state) {
   const Totals<Dim> totals = find_totals(state, p.world, p.team);
   if (p.first()) {
     p.budget.begin(totals);
+    p.centre.begin(totals);
     p.events.begin(p.pairs);
     p.look(totals, true);
   }
@@ -112,7 +113,7 @@ Summary Recorder<Dim>::finish(const State<Dim>& state, const RunFacts& facts) {
       for (const config::Expectation& e : *list) s.expect.push_back(check(q, e));
     for (const CheckResult& r : s.expect) s.passed = s.passed && r.pass;
     for (const auto& b : totals.bodies) s.cells += b.cells;
-    s.budgets = p.budget.worst();
+    s.budgets = p.budget.worst(), s.centres = p.centre.worst();
     s.turns = p.units.turns, s.turning_unit = p.units.angular_momentum, s.turning = p.budget.turning();
     s.gauges = summarise(q.gauges);
     s.events = p.events.events();
@@ -165,7 +166,8 @@ void Recorder<Dim>::abandon(const State<Dim>& state, const RunFacts& facts, cons
   s.verdict = judge(e, p.case_.limits);
   s.time = state.time, s.steps = state.step, s.wall_s = facts.wall_s;
   for (const BodyEvidence& body : e.bodies) s.cell_steps += body.cell_steps;
-  s.budgets = p.budget.worst(), s.events = p.events.events(), s.floors = e.counters;
+  s.budgets = p.budget.worst(), s.centres = p.centre.worst(), s.events = p.events.events(),
+  s.floors = e.counters;
   write_summary(p.directory / "summary.json", s);
   if (!p.first()) return;
   p.flush();

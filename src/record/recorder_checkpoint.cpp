@@ -13,7 +13,8 @@ void Recorder<Dim>::pack_whole(parallel::Bytes& bytes) {
   p.events.pack(bytes);
   p.fields.pack(bytes);
   parallel::ArchiveWriter archive(bytes);
-  archive(p.budget, p.history_due, p.fields_due, p.history_last, p.dt, p.unstable_steps, p.fragments);
+  archive(p.budget, p.centre, p.history_due, p.fields_due, p.history_last, p.dt, p.unstable_steps,
+          p.fragments);
 }
 
 template <int Dim>
@@ -42,7 +43,8 @@ void Recorder<Dim>::resume(const State<Dim>& state, parallel::Unpacker& from) {
   p.fields.unpack(from, p.first());
   parallel::ArchiveReader archive(from);
   Due history_before, fields_before;
-  archive(p.budget, history_before, fields_before, p.history_last, p.dt, p.unstable_steps, p.fragments);
+  archive(p.budget, p.centre, history_before, fields_before, p.history_last, p.dt, p.unstable_steps,
+          p.fragments);
   p.history_due.go_on(history_before);
   p.fields_due.go_on(fields_before);
   if (p.first()) truncate_csv(p.directory / "history.csv", p.history_last * 1e6);

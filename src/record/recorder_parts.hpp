@@ -24,6 +24,7 @@
 #include "gauge/pair_sampler.hpp"
 #include "material/starting_state.hpp"
 #include "parallel/archive.hpp"
+#include "record/balance/centre_watch.hpp"
 #include "record/field_dump.hpp"
 #include "record/findings.hpp"
 #include "record/fragment_table.hpp"
@@ -157,6 +158,7 @@ struct Recorder<Dim>::Parts {
   EventWatch events;
   LiftOffWatch<Dim> lift_off;
   BudgetWatch<Dim> budget;
+  CentreWatch<Dim> centre;
   std::optional<History<Dim>> history;
   FieldDump<Dim> fields;
   FragmentTable<Dim> fragments;
@@ -185,6 +187,7 @@ struct Recorder<Dim>::Parts {
         events(names, c.domain.geometry, contact_rule(state, c.method), closed_axes(c.domain)),
         lift_off(contact_rule(state, c.method).hold),
         budget(names, rigid, units.balanced),
+        centre(names, without_cells(state), units.balanced),
         fields(make_folder("fields"), case_name(c), c.output.fields.variables),
         fragments(names, without_cells(state), units),
         survey(state, c.limits, config::largest_closing_speed(c), starts_over_isentropes(c, state)),
@@ -222,6 +225,7 @@ struct Recorder<Dim>::Parts {
 
   void look(const Totals<Dim>& totals, bool write_history) {
     budget.look(totals);
+    centre.look(totals);
     if (!write_history || !(totals.time > history_last)) return;
     history->row(totals, budget.now());
     history_last = totals.time;
@@ -334,6 +338,7 @@ struct Recorder<Dim>::Parts {
         if (body.name == b.name)
           b.thickness = config::thickness(body.shape, case_.domain) / case_.mesh.finest;
     e.budgets = budget.worst();
+    e.centres = centre.worst(), e.cell = case_.mesh.finest;
     return e;
   }
 

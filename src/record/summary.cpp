@@ -23,6 +23,13 @@ Json budgets_json(const std::vector<Drift>& budgets) {
   return all;
 }
 
+Json centres_json(const std::vector<CentreOff>& centres) {
+  Json all = Json::object();
+  for (const CentreOff& c : centres)
+    all[c.name] = {{"off_mm", number(c.off * 1e3)}, {"time_us", number(c.time * 1e6)}};
+  return all;
+}
+
 Json turning_json(const Summary& s) {
   Json all = Json::object();
   for (const Turning& t : s.turning) {
@@ -127,6 +134,7 @@ void write_summary(const std::filesystem::path& path, const Summary& s) {
   j["cpu_s"] = number(s.cpu_s);
   j["rate_mcell_stage_per_s"] = number(s.rate);
   j["budgets"] = budgets_json(s.budgets);
+  j["centre_of_mass"] = centres_json(s.centres);
   if (!s.turns.empty()) j["angular_momentum"] = turning_json(s);
   j["gauges"] = gauges_json(s.gauges);
   j["events"] = events_json(s.events);

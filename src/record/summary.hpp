@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "config/case.hpp"
-#include "record/budget.hpp"
+#include "record/balance/budget.hpp"
 #include "record/events.hpp"
 #include "record/fragment_table.hpp"
 #include "record/quantities.hpp"
@@ -47,6 +47,7 @@ struct Summary {
   double wall_s = 0, cpu_s = 0,
          rate = 0;                 ///< since the start or the resumption: s, s; million cell stages a second
   std::vector<Drift> budgets;      ///< of `total`, then of every deformable body
+  std::vector<CentreOff> centres;  ///< of every deformable body
   std::vector<std::string> turns;  ///< axes of angular momentum; none where there is none
   std::string turning_unit;
   std::vector<Turning> turning;  ///< in the order of `budgets`

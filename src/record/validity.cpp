@@ -197,6 +197,26 @@ void judge_budgets(const Evidence& e, const config::Limits& limits, Verdict& v) 
     }
 }
 
+void judge_centres(const Evidence& e, const config::Limits& limits, Verdict& v) {
+  if (!e.conservative) return;  // as the budgets
+  for (const CentreOff& c : e.centres) {
+    const double cells = e.cell > 0 ? c.off / e.cell : 0;
+    if (!(cells > limits.centre_of_mass)) continue;
+    v.reasons.push_back(
+        {"centre-of-mass",
+         c.name,
+         fmt::format(
+             "the centre of mass of {} is {:.3g} mm ({:.3g} cells, at {:.4g} us) from where its momentum "
+             "has carried it, the limit is {:.3g} cells",
+             c.name, c.off * 1e3, cells, c.time * 1e6, limits.centre_of_mass),
+         cells,
+         limits.centre_of_mass,
+         c.time,
+         c.time,
+         {}});
+  }
+}
+
 const char* text_of(StateCheck check, const BodyEvidence& b) {
   if (check == StateCheck::negative_heat && b.by_energy)
     return "was missing in states colder than the isentrope through the start";
@@ -290,6 +310,7 @@ Verdict judge(const Evidence& e, const config::Limits& limits) {
   judge_steps(e, limits, v);
   judge_averages(e, limits, v);
   judge_budgets(e, limits, v);
+  judge_centres(e, limits, v);
   judge_states(e, limits, v);
   judge_counters(e, limits, v);
   judge_thickness(e, limits, v);

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "config/section/limits.hpp"
-#include "record/budget.hpp"
+#include "record/balance/budget.hpp"
+#include "record/balance/centre_watch.hpp"
 
 namespace recoil {
 
@@ -59,6 +60,8 @@ struct Evidence {
   std::vector<BodyEvidence> bodies;
   std::vector<std::pair<std::string, std::int64_t>> counters;
   std::vector<Drift> budgets;
+  std::vector<CentreOff> centres;
+  double cell = 0;                             ///< width of the finest [m]
   std::int64_t recent_averaged = 0;            ///< in the last 100 steps
   double recent_cell_steps = 0;                ///< of 100 steps with the present cells
   std::int64_t steps = 0, unstable_steps = 0;  ///< the latter longer than a stable one

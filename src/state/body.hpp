@@ -102,6 +102,12 @@ struct Account {
   Vec<Dim> momentum;
 };
 
+/// What has left through the edges of the domain, and from where.
+template <int Dim>
+struct EdgeAccount : Account<Dim> {
+  Vec<Dim> place;  // kg m, sum of m x
+};
+
 /// The same while it is summed up, cell by cell or contact by contact.
 template <int Dim>
 struct ExactAccount {
@@ -112,6 +118,22 @@ struct ExactAccount {
   Account<Dim> value() const { return {mass.value(), energy.value(), momentum.value()}; }
   ExactAccount& operator+=(const ExactAccount& b) {
     mass += b.mass, energy += b.energy, momentum += b.momentum;
+    return *this;
+  }
+};
+
+template <int Dim>
+struct ExactEdgeAccount : ExactAccount<Dim> {
+  ExactVec<Dim> place;
+
+  /// Adds mass that leaves at a place [m].
+  void leave(double lost, const Vec<Dim>& at) {
+    this->mass += lost;
+    place += lost * at;
+  }
+  ExactEdgeAccount& operator+=(const ExactEdgeAccount& b) {
+    ExactAccount<Dim>::operator+=(b);
+    place += b.place;
     return *this;
   }
 };
@@ -152,7 +174,7 @@ struct FailureRecord {
 template <int Dim>
 struct BlockLedger {
   std::vector<PairRecord<Dim>> pairs;        // by pair_number
-  std::vector<ExactAccount<Dim>> edges;      // by body: what left through the edges of the domain
+  std::vector<ExactEdgeAccount<Dim>> edges;  // by body: what left through the edges of the domain
   std::vector<FailureRecord<Dim>> failures;  // by body
   std::vector<ExactSum> released;            // by body: energy of detonation [J]
   Counters counters;

@@ -16,6 +16,7 @@ enum class CellKind : std::uint8_t { empty, full, cut };
 template <int Dim>
 struct CutCell {
   int cell = 0;                                   // in the layout of its block
+  bool failed = false;                            // its matter, in the end-of-step geometry
   std::array<std::array<double, 2>, Dim> open{};  // open area of the [low, high] face across each axis
   // Middle of the open part of the [low, high] face across each axis, from the middle of the face, in dx.
   std::array<std::array<Vec<Dim>, 2>, Dim> open_middle{};

@@ -25,7 +25,7 @@ namespace {
 
 using enum Field;
 
-constexpr Following following{.rate = 0.02, .growth_beside_bodies = true};
+constexpr Following following{.rate = 0.02, .rate_failed = 0.3, .growth_beside_bodies = true};
 
 }  // namespace
 
@@ -143,7 +143,7 @@ void exchange_along_surfaces(StepRun<Dim>& step) {
 
 template <int Dim>
 void follow_volumes(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"measure mismatch", {}, volume, end_geometry};
+  static constexpr FieldAccess access{"measure mismatch", {}, volume | contents, end_geometry};
   step.queue_each_body(StepPhase::level_set, access, [&step](Body<Dim>& body, int slot, Scratch&) {
     measure_mismatch(step.state(), body, slot);
   });

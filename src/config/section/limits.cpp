@@ -8,6 +8,10 @@ Entry<Limits> part(const char* name, double Limits::*member, const char* doc, co
   return {.name = name, .member = member, .least = 0, .most = 100, .doc = doc, .example = example};
 }
 
+Entry<Limits> error(const char* name, double Limits::*member, const char* doc, const char* example) {
+  return {.name = name, .member = member, .positive = true, .doc = doc, .example = example};
+}
+
 }  // namespace
 
 Entries<Limits> Limits::keys() {
@@ -17,16 +21,13 @@ Entries<Limits> Limits::keys() {
            "part of a body's cell states that may be replaced by a mean with their neighbours'"),
       part("averaged-states-stop", &L::averaged_states_stop,
            "the same, of the last 100 steps: beyond it the run stops"),
-      {.name = "budget",
-       .member = &L::budget,
-       .positive = true,
-       .doc = "relative error of the mass, momentum and energy of a body (conservative scheme only)",
-       .example = "1e-9"},
-      {.name = "budget-stop",
-       .member = &L::budget_stop,
-       .positive = true,
-       .doc = "the same: beyond it the run stops",
-       .example = "1e-6"},
+      error("budget", &L::budget,
+            "relative error of the mass, momentum and energy of a body (conservative scheme only)", "1e-9"),
+      error("budget-stop", &L::budget_stop, "the same: beyond it the run stops", "1e-6"),
+      part("centre-of-mass", &L::centre_of_mass,
+           "cells by which the centre of mass of a body may be off from where its momentum has carried it "
+           "(conservative scheme only)",
+           "1"),
       part("unstable-steps", &L::unstable_steps,
            "part of the steps that may be longer than a stable one, by a fixed-dt"),
       part("unstable-steps-stop", &L::unstable_steps_stop, "the same: beyond it the run stops", "1e-2"),

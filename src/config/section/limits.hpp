@@ -19,6 +19,7 @@ struct Limits {
   double spall_strength = 1;           // of the material's own
   double volume_fraction = 1.1;        // of all bodies in a cell
   double thickness = 4;                // cells
+  double centre_of_mass = 1;           // cells
   double budget = 1e-9;                // relative error
   double budget_stop = 1e-6;           // relative error
   double averaged_states_stop = 1e-2;  // part of the cells' states of the last 100 steps

@@ -35,7 +35,7 @@ struct LostFragments : testing::Test {
   const Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
   const double dt = 0.3 * grid.dx / u;
   const double whole = grid.dx_power(dim);
-  ExactAccount<dim> edges;
+  ExactEdgeAccount<dim> edges;
   State<dim> state = with_bodies();
 
   State<dim> with_bodies() const {

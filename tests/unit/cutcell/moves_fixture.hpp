@@ -16,7 +16,7 @@ struct Moves : testing::Test {
   Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
   const Contents<dim> one = per_volume<dim>(samples::copper(), some_primitives<dim>(samples::copper()));
   Counters counters;
-  ExactAccount<dim> edges;
+  ExactEdgeAccount<dim> edges;
 
   double whole() const { return grid.dx_power(dim); }
   State<dim> ball_of(double scatter) const {

@@ -159,6 +159,34 @@ TYPED_TEST(Redistributing, ANegativePieceHasRoomInItsNeighbourhood) {
   EXPECT_LT(most, 0.25);
 }
 
+/// Of matter that is partly void the fragment may be heavier than what is around: where its neighbours do not
+/// make its mass up, more of them have to.
+TYPED_TEST(Redistributing, ANegativePieceBesideVoidsLeavesNoNegativeMass) {
+  constexpr int dim = TestFixture::dim;
+  for (const double fill : {-0.1, -0.2, -0.3, -0.4}) {
+    auto state = this->random_ball(this->grid, 0);
+    state.bodies[0].material.damage = TensileDamage{};
+    const auto one =
+        per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+    auto sparse = one;
+    for (double& c : sparse) c *= 0.3;
+    int negative = 0;
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      const bool drained = negative == 0 && b.end_geometry.kind[k] == CellKind::cut;
+      if (drained) ++negative;
+      if (b.volume[k] > 0)
+        set_piece(b, k, drained ? fill * this->grid.full_volume(i) : b.volume[k], drained ? one : sparse);
+    });
+    EXPECT_EQ(negative, 1);
+    this->run(state);
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
+      if (b.volume[k] > 0) {
+        EXPECT_GT(b.contents[k], 0) << fill;
+      }
+    });
+  }
+}
+
 /// A fragment that was small at the start of the step is redistributed to the end of it, even if it has
 /// become large: fluxes do not see its own state before the next step.
 TYPED_TEST(Redistributing, APieceThatHasGrownIsStillRedistributed) {

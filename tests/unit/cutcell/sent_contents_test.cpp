@@ -23,7 +23,7 @@ struct SentContents : testing::Test {
   static constexpr int dim = D::value;
   using Work = std::function<void(State<dim>& state, int slot, Scratch& scratch)>;
   Grid<dim> grid = make_test_grid<dim>(20, 10, Edge::outflow);
-  ExactAccount<dim> edges;
+  ExactEdgeAccount<dim> edges;
   Counters counters;
 
   /// A ball whose fragments hold more and less than the geometry gives them, and a little where it gives

@@ -20,7 +20,7 @@ template <int Dim>
 struct Bulk {
   State<Dim> state;
   Counters counters;
-  std::vector<ExactAccount<Dim>> edges;
+  std::vector<ExactEdgeAccount<Dim>> edges;
 
   Bulk(const Grid<Dim>& grid, const Material& material, const Field<Dim>& field)
       : state(make_test_state<Dim>(grid, {[](const Vec<Dim>&) { return -100.0; }}, material)),

@@ -115,7 +115,7 @@ TYPED_TEST(TurningBodies, NothingIsStrained) {
   auto p = this->turning_ball();
   TestFixture::fill_values(p);
   const double dt = 1e-9, per_strain = 2 * 43e9 * density(this->material) * dt;
-  ExactAccount<dim> edges;
+  ExactEdgeAccount<dim> edges;
   Scratch scratch;
   for (int s = 0; s < p.state.mesh.local(); ++s) {
     const Scratch::Frame frame(scratch);

@@ -135,7 +135,7 @@ TYPED_TEST(Values, EveryFaceFindsItsValues) {
                   {some_primitives<dim>(this->material)});
   fill_values(p);
   Scratch scratch;
-  ExactAccount<dim> edges;
+  ExactEdgeAccount<dim> edges;
   for (int s = 0; s < p.state.mesh.local(); ++s) {
     const Scratch::Frame frame(scratch);
     update_block(p.state, p.state.bodies[0], s, FaceTime::now, 1e-9, 1, edges, p.counters, scratch);

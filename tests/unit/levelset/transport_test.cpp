@@ -152,6 +152,36 @@ TYPED_TEST(FollowingVolume, PhiFollowsTheVolume) {
   });
 }
 
+/// Debris has no corners to keep: its level sets follow at once.
+TYPED_TEST(FollowingVolume, PhiFollowsFailedMatterFaster) {
+  constexpr int dim = TestFixture::dim;
+  auto& state = this->state;
+  const double h = 0.2 * this->grid.dx;
+  for (const bool all : {false, true}) {
+    for (auto& b : state.bodies[0].blocks)
+      for (auto& cut : b.end_geometry.cuts)
+        cut.mismatch = h, cut.failed = all || cut.point[0] > middle_of(this->grid)[0];
+    Scratch scratch;
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      const Scratch::Frame frame(scratch);
+      follow_volume(state, state.bodies[0], s, {.rate = 0.02, .rate_failed = 0.3}, scratch);
+    }
+    for_each_piece(state, 0, [&](auto& b, const Index<dim>& i, std::size_t k) {
+      if (std::abs(b.phi[k]) >= 2 * this->grid.dx) return;
+      const double step = (b.phi[k] - b.phi_next[k]) / h,
+                   x = this->grid.centre(i)[0] - middle_of(this->grid)[0];
+      if (all || x > 5 * this->grid.dx) {
+        ASSERT_NEAR(step, 0.3, 1e-12);
+      } else if (x < -5 * this->grid.dx) {
+        ASSERT_NEAR(step, 0.02, 1e-12);
+      } else {
+        ASSERT_GE(step, 0.02 - 1e-12);
+        ASSERT_LE(step, 0.3 + 1e-12);
+      }
+    });
+  }
+}
+
 /// Where another body is within 1.5 dx, phi takes up at once what the mismatch has grown by beyond 0.005 dx.
 TYPED_TEST(FollowingVolume, GrowthIsTakenUpWhereContactMayClose) {
   constexpr int dim = TestFixture::dim;

@@ -1,4 +1,4 @@
-#include "record/budget.hpp"
+#include "record/balance/budget.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,9 +44,9 @@ BudgetWatch<2> watch(std::vector<bool> balanced = {true, true}) {
 TEST(Budget, ExchangeEdgesAndRigidBodiesAreAccountedFor) {
   auto w = watch();
   Totals<2> t = start();
-  t.pairs[0] = {0, -30, {{-8, 0}}};  // a gives to b
-  t.pairs[2] = {0, -5, {{-6, 1}}};   // the wall brakes b
-  t.edges[0] = {0.5, 7, {{2, 0}}};   // a loses some matter
+  t.pairs[0] = {0, -30, {{-8, 0}}};       // a gives to b
+  t.pairs[2] = {0, -5, {{-6, 1}}};        // the wall brakes b
+  t.edges[0] = {{0.5, 7, {{2, 0}}}, {}};  // a loses some matter
   t.bodies[0].mass = 1.5, t.bodies[0].energy = 100 - 30 - 7, t.bodies[0].momentum = {{20 - 8 - 2, 0}};
   t.bodies[1].energy = 10 + 30 - 5, t.bodies[1].momentum = {{8 - 6, 1}}, t.bodies[1].speed = 3;
   w.look(t);

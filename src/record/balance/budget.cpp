@@ -1,4 +1,4 @@
-#include "record/budget.hpp"
+#include "record/balance/budget.hpp"
 
 #include <algorithm>
 #include <cmath>

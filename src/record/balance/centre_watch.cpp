@@ -1,0 +1,58 @@
+#include "record/balance/centre_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace recoil {
+
+template <int Dim>
+CentreWatch<Dim>::CentreWatch(const std::vector<std::string>& names, const std::vector<bool>& rigid,
+                              std::vector<bool> balanced)
+    : balanced_(std::move(balanced)) {
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    if (rigid[m]) continue;
+    body_.push_back(m);
+    worst_.push_back({names[m]});
+  }
+  lines_.resize(body_.size());
+}
+
+template <int Dim>
+Vec<Dim> CentreWatch<Dim>::place_of(const Totals<Dim>& t, std::size_t l) const {
+  return t.bodies[body_[l]].place + t.edges[body_[l]].place;
+}
+
+template <int Dim>
+void CentreWatch<Dim>::begin(const Totals<Dim>& t) {
+  time_ = t.time;
+  for (std::size_t l = 0; l < lines_.size(); ++l)
+    lines_[l] = {t.bodies[body_[l]].mass, place_of(t, l), t.bodies[body_[l]].momentum, {}, {}};
+}
+
+template <int Dim>
+void CentreWatch<Dim>::look(const Totals<Dim>& t) {
+  const double dt = t.time - time_;
+  time_ = t.time;
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    Line& line = lines_[l];
+    const Vec<Dim> p = t.bodies[body_[l]].momentum, off = place_of(t, l) - line.start - line.carried;
+    Vec<Dim> missing;
+    for (int d = 0; d < Dim; ++d) {
+      const double step = 0.5 * dt * (p[d] + line.momentum[d]);
+      line.carried[d] += step;
+      line.uncertain[d] += 0.5 * dt * std::abs(p[d] - line.momentum[d]);
+      if (balanced_[static_cast<std::size_t>(d)] && std::isfinite(off[d]))  // periodic: NaN
+        missing[d] = std::max(std::abs(off[d] - step) - line.uncertain[d], 0.0);
+    }
+    line.momentum = p;
+    const double distance = line.mass > 0 ? norm(missing) / line.mass : 0;
+    if (distance > worst_[l].off) worst_[l].off = distance, worst_[l].time = t.time;
+  }
+}
+
+template class CentreWatch<1>;
+template class CentreWatch<2>;
+template class CentreWatch<3>;
+
+}  // namespace recoil
