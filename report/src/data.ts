@@ -138,7 +138,7 @@ export interface Summary {
   cpu_s: number | null;
   rate_mcell_stage_per_s: number | null;
   budgets: Record<string, Drift>;
-  centre_of_mass?: Record<string, { off_mm: number | null; time_us: number | null }>;
+  centre_of_mass?: Record<string, { off_mm: number | null; way_mm: number | null; time_us: number | null }>;
   gauges: Record<
     string,
     { column: string; unit: string; peak: number | null; time_of_peak_us: number | null; arrival_us: number | null }

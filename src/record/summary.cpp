@@ -26,7 +26,8 @@ Json budgets_json(const std::vector<Drift>& budgets) {
 Json centres_json(const std::vector<CentreOff>& centres) {
   Json all = Json::object();
   for (const CentreOff& c : centres)
-    all[c.name] = {{"off_mm", number(c.off * 1e3)}, {"time_us", number(c.time * 1e6)}};
+    all[c.name] = {
+        {"off_mm", number(c.off * 1e3)}, {"way_mm", number(c.way * 1e3)}, {"time_us", number(c.time * 1e6)}};
   return all;
 }
 

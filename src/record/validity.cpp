@@ -80,7 +80,8 @@ constexpr std::array cures{
     Cure{"thickness", "a finer mesh.finest"}, Cure{"unstable-steps", unstable_cure},
     Cure{"unstable-steps-stop", unstable_cure}};
 
-constexpr double told_part = 1e-5;  // of matter or heat: less is not told
+constexpr double small_part_of_way = 0.01;  // by which a centre of mass may be off on a long way
+constexpr double told_part = 1e-5;          // of matter or heat: less is not told
 
 std::string percent(double part) { return fmt::format("{:.{}g} %", 100 * part, part >= 0.995 ? 3 : 2); }
 
@@ -201,14 +202,14 @@ void judge_centres(const Evidence& e, const config::Limits& limits, Verdict& v) 
   if (!e.conservative) return;  // as the budgets
   for (const CentreOff& c : e.centres) {
     const double cells = e.cell > 0 ? c.off / e.cell : 0;
-    if (!(cells > limits.centre_of_mass)) continue;
+    if (!(cells > limits.centre_of_mass && c.off > small_part_of_way * c.way)) continue;
     v.reasons.push_back(
         {"centre-of-mass",
          c.name,
          fmt::format(
              "the centre of mass of {} is {:.3g} mm ({:.3g} cells, at {:.4g} us) from where its momentum "
-             "has carried it, the limit is {:.3g} cells",
-             c.name, c.off * 1e3, cells, c.time * 1e6, limits.centre_of_mass),
+             "has carried it on a way of {:.4g} mm, the limit is {:.3g} cells",
+             c.name, c.off * 1e3, cells, c.time * 1e6, c.way * 1e3, limits.centre_of_mass),
          cells,
          limits.centre_of_mass,
          c.time,

@@ -25,8 +25,8 @@ Entries<Limits> Limits::keys() {
             "relative error of the mass, momentum and energy of a body (conservative scheme only)", "1e-9"),
       error("budget-stop", &L::budget_stop, "the same: beyond it the run stops", "1e-6"),
       part("centre-of-mass", &L::centre_of_mass,
-           "cells by which the centre of mass of a body may be off from where its momentum has carried it "
-           "(conservative scheme only)",
+           "cells by which the centre of mass of a body may be off from where its momentum has carried it, "
+           "beyond 1 % of the way (conservative scheme only)",
            "1"),
       part("unstable-steps", &L::unstable_steps,
            "part of the steps that may be longer than a stable one, by a fixed-dt"),

@@ -27,7 +27,7 @@ template <int Dim>
 void CentreWatch<Dim>::begin(const Totals<Dim>& t) {
   time_ = t.time;
   for (std::size_t l = 0; l < lines_.size(); ++l)
-    lines_[l] = {t.bodies[body_[l]].mass, place_of(t, l), t.bodies[body_[l]].momentum, {}, {}};
+    lines_[l] = {t.bodies[body_[l]].mass, place_of(t, l), t.bodies[body_[l]].momentum, {}, {}, 0};
 }
 
 template <int Dim>
@@ -37,17 +37,18 @@ void CentreWatch<Dim>::look(const Totals<Dim>& t) {
   for (std::size_t l = 0; l < lines_.size(); ++l) {
     Line& line = lines_[l];
     const Vec<Dim> p = t.bodies[body_[l]].momentum, off = place_of(t, l) - line.start - line.carried;
-    Vec<Dim> missing;
+    Vec<Dim> missing, step;
     for (int d = 0; d < Dim; ++d) {
-      const double step = 0.5 * dt * (p[d] + line.momentum[d]);
-      line.carried[d] += step;
+      if (!balanced_[static_cast<std::size_t>(d)] || !std::isfinite(off[d])) continue;  // periodic: NaN
+      step[d] = 0.5 * dt * (p[d] + line.momentum[d]);
       line.uncertain[d] += 0.5 * dt * std::abs(p[d] - line.momentum[d]);
-      if (balanced_[static_cast<std::size_t>(d)] && std::isfinite(off[d]))  // periodic: NaN
-        missing[d] = std::max(std::abs(off[d] - step) - line.uncertain[d], 0.0);
+      missing[d] = std::max(std::abs(off[d] - step[d]) - line.uncertain[d], 0.0);
     }
+    line.carried += step, line.way += norm(step);
     line.momentum = p;
+    CentreOff& worst = worst_[l];
     const double distance = line.mass > 0 ? norm(missing) / line.mass : 0;
-    if (distance > worst_[l].off) worst_[l].off = distance, worst_[l].time = t.time;
+    if (distance > worst.off) worst = {worst.name, distance, line.way / line.mass, t.time};
   }
 }
 

@@ -12,11 +12,12 @@ namespace recoil {
 struct CentreOff {
   std::string name;
   double off = 0;   ///< m
+  double way = 0;   ///< m, the length of the way that its momentum has carried it until then
   double time = 0;  ///< s
 
   template <class Archive>
   void transfer(Archive& a) {
-    a(name, off, time);
+    a(name, off, way, time);
   }
 };
 
@@ -52,6 +53,7 @@ class CentreWatch {
     Vec<Dim> start;               // kg m, sum of m x there
     Vec<Dim> momentum;            // at the last look
     Vec<Dim> carried, uncertain;  // kg m, since the start
+    double way = 0;               // kg m
   };
   Vec<Dim> place_of(const Totals<Dim>& totals, std::size_t line) const;
 

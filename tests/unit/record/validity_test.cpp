@@ -168,16 +168,20 @@ TEST(Validity, MatterWithoutRoomAndMissingHeatAreMeasured) {
 TEST(Validity, ACentreOfMassThatItsMomentumHasNotCarriedIsJudgedInCells) {
   Evidence e = flyer_and_target();
   e.cell = 2e-4;
-  e.centres = {{"flyer", 1.9e-4, 1e-6}, {"target", 0, 0}};
+  e.centres = {{"flyer", 1.9e-4, 5e-3, 1e-6}, {"target", 0, 0, 0}};
   EXPECT_EQ(judged(e).kind, Verdict::Kind::valid);
   e.centres[0].off = 2e-3;
   const Verdict v = judged(e);
   EXPECT_EQ(v.kind, Verdict::Kind::doubtful);
   ASSERT_EQ(v.reasons.size(), 1U);
   EXPECT_EQ(v.reasons[0].what, "centre-of-mass");
-  EXPECT_EQ(v.reasons[0].text,
-            "the centre of mass of flyer is 2 mm (10 cells, at 1 us) from where its momentum has carried it, "
-            "the limit is 1 cells");
+  EXPECT_EQ(
+      v.reasons[0].text,
+      "the centre of mass of flyer is 2 mm (10 cells, at 1 us) from where its momentum has carried it on "
+      "a way of 5 mm, the limit is 1 cells");
+  e.centres[0].way = 0.3;  // less than 1 % of it
+  EXPECT_EQ(judged(e).kind, Verdict::Kind::valid);
+  e.centres[0].way = 5e-3;
   e.conservative = false;
   EXPECT_EQ(judged(e).kind, Verdict::Kind::valid);
 }

@@ -47,6 +47,7 @@ TEST(CentreWatch, MatterThatStandsStillWithItsMomentumIsSeen) {
   w.look(t);
   EXPECT_NEAR(w.worst()[0].off, 2.5, 1e-14);
   EXPECT_EQ(w.worst()[0].time, 1);
+  EXPECT_NEAR(w.worst()[0].way, 10, 1e-14);
   t.time = 2, t.bodies[0].place[0] += 25;  // it has caught up: the worst stays
   w.look(t);
   EXPECT_NEAR(w.worst()[0].off, 2.5, 1e-14);
