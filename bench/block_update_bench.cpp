@@ -39,7 +39,7 @@ void block_update(benchmark::State& timer, Where where) {
   const int slot = pick_block(state, where);
   if (slot < 0) return timer.SkipWithError("no block of this kind");
   Body<Dim>& body = state.bodies[0];
-  ExactAccount<Dim> edges;
+  ExactEdgeAccount<Dim> edges;
   Counters counters;
   for (BodyBlock<Dim>& b : body.blocks) b.stencil.swap(b.average);  // as a stage does
   Scratch& scratch = sample.team.scratch(0);

@@ -288,7 +288,8 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
   for (CutCell<Dim>& cut : b.end_geometry.cuts) {
     const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
     const double area = std::max(norm(cut.surface), least_mismatch_area * face * grid.radius(i[0]));
-    cut.failed = has_failed(b, static_cast<std::size_t>(cut.cell));
+    const auto k = static_cast<std::size_t>(cut.cell);
+    cut.failed = can_fail(body.material.damage) && b.contents[k] > 0 && has_failed(b, k);
     cut.mismatch = std::clamp((b.volume[cut.cell] - cut.volume) / area, -most_mismatch * grid.dx,
                               most_mismatch * grid.dx);
   }

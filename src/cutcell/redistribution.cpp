@@ -11,6 +11,7 @@
 #include "cutcell/geometry.hpp"
 #include "cutcell/holders.hpp"
 #include "cutcell/merged.hpp"
+#include "cutcell/window_contents.hpp"
 #include "state/level_set_view.hpp"
 
 namespace recoil {
@@ -38,6 +39,7 @@ class Redistribution {
         grid_(state.grid()),
         body_(body),
         window_(state.mesh, slot, reach, body.at(slot).matter),
+        held_(body_, window_),
         counters_(counters),
         scratch_(scratch),
         n_(static_cast<std::size_t>(window_.size())) {}
@@ -64,16 +66,6 @@ class Redistribution {
 
   double full(const Index<Dim>& i) const { return grid_.full_volume(i); }
 
-  bool holds_nothing(int cell) const {
-    const auto from = window_.source_inside(window_.box().index(cell));
-    if (from.slot < 0) return true;
-    const auto& b = body_.at(from.slot);
-    const std::size_t n = b.volume.size();
-    for (std::size_t c = 0; c < Components<Dim>::contents; ++c)
-      if (b.contents[c * n + static_cast<std::size_t>(from.cell)] != 0) return false;
-    return true;
-  }
-
   /// Whether a fragment has become large in this step: fluxes do not see its state yet, so that by itself it
   /// would run away from its neighbours.
   bool has_grown(int k) const { return index_[k] >= 0 && (role_[k] & (donates | regular)) == donates; }
@@ -95,7 +87,7 @@ class Redistribution {
       for (int c = 0; c < width; ++c) {
         const int k = first + c;
         if (volume[c] >= target[c] && !has_grown(k)) continue;
-        if (volume[c] == 0 && (index_[k] < 0 || holds_nothing(k))) continue;
+        if (volume[c] == 0 && (index_[k] < 0 || held_.nothing(k))) continue;
         small_[count].cell = k;
         small_[count++].alone = false;
       }
@@ -114,13 +106,6 @@ class Redistribution {
     others += volume_[k];
   }
 
-  /// Whether a fragment whose mass is below zero has it made up by the part `share` of the others'.
-  bool balances_mass(const Neighbourhood& s, double share) const {
-    double sum = contents(s.cell)[0];
-    for (int m = 1; m < s.members && sum < 0; ++m) sum += share * contents(members_[s.first + m])[0];
-    return sum >= 0;
-  }
-
   /// The inward neighbour along the steepest axis; then the other axes and the diagonals towards the inside,
   /// then all cells around, then those around them: until they hold half a cell, and share least_shares.
   void form(Neighbourhood& s) {
@@ -132,13 +117,14 @@ class Redistribution {
     std::stable_sort(axis.begin(), axis.end(), [&](int a, int b) { return std::abs(g[a]) > std::abs(g[b]); });
     s.members = 0;
     members_[s.first + s.members++] = s.cell;
-    const bool voids = can_fail(body_.material.damage);
+    const bool voids = held_.is_beside_voids(s.cell, volume_[s.cell]);
     const double own_volume = volume_[s.cell], shares = least_shares * full(i),
                  share = voids ? share_beside_voids : share_of_others;
     double others = 0;
     const auto enough = [&] {
       return own_volume + others >= target && (own_volume >= 0 || own_volume + share * others >= shares) &&
-             (!voids || balances_mass(s, share));
+             (!voids ||
+              held_.balances_mass({members_ + s.first, static_cast<std::size_t>(s.members)}, share));
     };
     const auto inward = [&](int d) { return g[d] > 0 ? -1 : 1; };
     s.axis = axis[0];
@@ -179,16 +165,6 @@ class Redistribution {
     for (int s = 0; s < smalls_; ++s) merged_[s].known = false;
   }
 
-  Q contents(int k) const {
-    const auto from = window_.source_inside(window_.box().index(k));
-    if (from.slot < 0 || !body_.present(from.slot)) return Q{};
-    const auto& b = body_.at(from.slot);
-    const std::size_t n = b.volume.size();
-    Q q;
-    for (std::size_t c = 0; c < q.size(); ++c) q[c] = b.contents[c * n + static_cast<std::size_t>(from.cell)];
-    return q;
-  }
-
   /// Centroid of a fragment, in cells.
   Vec<Dim> centroid(int k) const {
     const Index<Dim> i = window_.box().index(k);
@@ -210,7 +186,7 @@ class Redistribution {
       const double share = 1.0 / holders_.shares(k);
       volume += share * volume_[k];
       m.centre += share * volume_[k] * centroid(k);
-      const Q q = contents(k);
+      const Q q = held_.of(k);
       for (std::size_t c = 0; c < q.size(); ++c) m.mean[c] += share * q[c];
     }
     m.possible = volume > merge_fill * full(window_.box().index(h.cell));
@@ -242,7 +218,7 @@ class Redistribution {
     const Index<Dim> i1 = window_.box().index(one), i2 = window_.box().index(two);
     if (volume_[one] < target_fill * full(i1) || volume_[two] < target_fill * full(i2)) return;
     const double x0 = m.centre[h.axis], x1 = centroid(one)[h.axis], x2 = centroid(two)[h.axis];
-    const Q q1 = contents(one), q2 = contents(two);
+    const Q q1 = held_.of(one), q2 = held_.of(two);
     const double calm = slope_kept_by(q1[0] / volume_[one], q2[0] / volume_[two]);
     const Q turn1 = m.turning.change(m.mean, centroid(one) - m.centre),
             turn2 = m.turning.change(m.mean, centroid(two) - m.centre);
@@ -289,14 +265,14 @@ class Redistribution {
     double part = 0;
     for (const int s : holders_.of(k))
       if (!merged(s).possible) part += 1.0 / holders_.shares(k);
-    Q q = contents(k);
+    Q q = held_.of(k);
     for (double& c : q) c *= part;
     return q;
   }
 
   Q new_contents(int k) {
     if (volume_[k] == 0) return contents_without_volume(k);
-    const Q old = contents(k);
+    const Q old = held_.of(k);
     const double per_volume = 1 / volume_[k];
     Q sum{};
     if (!holders_.is_small[k])
@@ -355,7 +331,7 @@ class Redistribution {
       Update<Dim> u;
       u.cell = window_.cell(i);
       u.volume = volume_[k];
-      u.contents = holders_.any(k) ? new_contents(k) : contents(k);
+      u.contents = holders_.any(k) ? new_contents(k) : held_.of(k);
       for (int l = 0; l < lone; ++l) {
         if (lone_cell[l] == k) u.volume = 0, u.contents = {};
         if (lone_home[l] != k) continue;
@@ -371,6 +347,7 @@ class Redistribution {
   const Grid<Dim>& grid_;
   Body<Dim>& body_;
   Window<Dim> window_;
+  WindowContents<Dim> held_;
   Counters& counters_;
   Scratch& scratch_;
   std::size_t n_;

@@ -166,8 +166,8 @@ TYPED_TEST(Redistributing, ANegativePieceBesideVoidsLeavesNoNegativeMass) {
   for (const double fill : {-0.1, -0.2, -0.3, -0.4}) {
     auto state = this->random_ball(this->grid, 0);
     state.bodies[0].material.damage = TensileDamage{};
-    const auto one =
-        per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+    auto one = per_volume<dim>(state.bodies[0].material, some_primitives<dim>(state.bodies[0].material));
+    one[Components<dim>::damage] = one[0];
     auto sparse = one;
     for (double& c : sparse) c *= 0.3;
     int negative = 0;
