@@ -174,12 +174,13 @@ TEST(Totals, LedgersOfAllBlocksCount) {
     ledger.pairs[0].exchanged.energy += 2;
     ledger.pairs[0].exchanged.momentum += Vec<2>{{1, -3}};
     ledger.pairs[0].moment += Vec<3>{{0, 0, 7}};
-    ledger.edges[1].mass += 5;
+    ledger.edges[1].leave(5, {{2, -1}});
   }
   const double blocks = static_cast<double>(state.ledger.size());
   ASSERT_GT(blocks, 3);
   const auto t = find_totals(state, parallel::World{});
   EXPECT_EQ(t.edges[1].mass, 5 * blocks);
+  EXPECT_EQ(t.edges[1].place, (Vec<2>{{10 * blocks, -5 * blocks}}));
   EXPECT_EQ(t.edges[0].mass, 0);
   EXPECT_EQ(received(t, 0).energy, 2 * blocks);
   EXPECT_EQ(received(t, 1).momentum, (Vec<2>{{-blocks, 3 * blocks}}));

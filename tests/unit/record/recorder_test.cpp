@@ -161,7 +161,7 @@ velocity = { x = "3 km/s" }
 
 TEST(Recorder, ABodyThatLeavesTheDomainLeavesNothingBehind) {
   const ScratchFolder folder;
-  run(leaving, folder.path());
+  const Summary s = run(leaving, folder.path());
   const CsvTable history = read_csv(folder / "history.csv");
   EXPECT_EQ(history.numbers("block.mass").back(), 0);
   EXPECT_EQ(history.numbers("block.volume").back(), 0);
@@ -169,6 +169,8 @@ TEST(Recorder, ABodyThatLeavesTheDomainLeavesNothingBehind) {
   EXPECT_NEAR(history.numbers("block.edges.momentum.x").back(), 6270, 1e-9);
   for (const char* what : {"block.drift.mass", "block.drift.momentum", "block.drift.energy"})
     for (const double drift : history.numbers(what)) EXPECT_LT(drift, 1e-12) << what;
+  ASSERT_EQ(s.centres.size(), 1U);
+  EXPECT_LT(s.centres[0].off, 0.05e-3) << "half a cell, of 2 to 4 mm";
 }
 
 std::string contents(const std::filesystem::path& path) {
