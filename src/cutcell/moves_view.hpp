@@ -7,6 +7,7 @@
 
 #include "core/scratch.hpp"
 #include "cutcell/geometry.hpp"
+#include "cutcell/window_contents.hpp"
 #include "state/body.hpp"
 #include "state/level_set_view.hpp"
 
@@ -68,15 +69,7 @@ class MovesView {
   bool exists(const Index<Dim>& i) const { return window.source_inside(i).slot >= 0; }
   double full(const Index<Dim>& i) const { return grid.full_volume(i); }
 
-  Contents<Dim> contents(const Index<Dim>& i) const {
-    const auto from = window.source_inside(i);
-    if (from.slot < 0 || !body_.present(from.slot)) return {};
-    const auto& b = body_.at(from.slot);
-    const std::size_t n = b.volume.size();
-    Contents<Dim> q;
-    for (std::size_t c = 0; c < q.size(); ++c) q[c] = b.contents[c * n + from.cell];
-    return q;
-  }
+  Contents<Dim> contents(const Index<Dim>& i) const { return contents_at(body_, window, i); }
 
   /// The cut cell of the end-of-step geometry there, or null.
   const CutCell<Dim>* cut(const Index<Dim>& i) const {

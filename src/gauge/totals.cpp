@@ -155,16 +155,16 @@ Account<Dim> take_account(std::span<const double> row) {
   return account;
 }
 
-/// Places of the sums of what a body has lost through the edges, behind its account there.
+/// Places of the sums of what has left a body through the edges, behind its account there.
 template <int Dim>
-struct Lost {
+struct LeftSums {
   static constexpr std::size_t released = 2 + Dim, place = released + 1, sums = place + Dim;
 };
 
 template <int Dim>
 EdgeAccount<Dim> take_edges(std::span<const double> row) {
   EdgeAccount<Dim> account{take_account<Dim>(row), {}};
-  for (std::size_t d = 0; d < Dim; ++d) account.place[static_cast<int>(d)] = row[Lost<Dim>::place + d];
+  for (std::size_t d = 0; d < Dim; ++d) account.place[static_cast<int>(d)] = row[LeftSums<Dim>::place + d];
   return account;
 }
 
@@ -277,9 +277,9 @@ void add_ledgers(const State<Dim>& state, ExactSums& sums) {
       const SumRow row = sums.add(bodies + m);
       if (e < ledger.edges.size()) {
         add(ledger.edges[e], row.sums);
-        for (std::size_t d = 0; d < Dim; ++d) row[Lost<Dim>::place + d] += ledger.edges[e].place.c[d];
+        for (std::size_t d = 0; d < Dim; ++d) row[LeftSums<Dim>::place + d] += ledger.edges[e].place.c[d];
       }
-      if (e < ledger.released.size()) row[Lost<Dim>::released] += ledger.released[e];
+      if (e < ledger.released.size()) row[LeftSums<Dim>::released] += ledger.released[e];
     }
     for (std::size_t p = 0; p < ledger.pairs.size(); ++p) {
       const SumRow row = sums.add(2 * bodies + static_cast<int>(p));
@@ -297,7 +297,7 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
   const int bodies = state.count(), pairs = bodies * (bodies - 1) / 2;
   ExactSums sums;  // items: all bodies, their edges, all pairs
   for (int m = 0; m < bodies; ++m) sums.item(A::sums, A::all - A::sums);
-  for (int m = 0; m < bodies; ++m) sums.item(Lost<Dim>::sums);
+  for (int m = 0; m < bodies; ++m) sums.item(LeftSums<Dim>::sums);
   for (int p = 0; p < pairs; ++p) sums.item(2 + Dim + 3);
   add_bodies(state, team, sums);
   add_ledgers(state, sums);
@@ -311,7 +311,7 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
     forget_periodic_places(state.grid(), t.bodies.back());
     if (state.bodies[m].rigid) t.bodies.back() = rigid_totals(*state.bodies[m].rigid);
     t.edges.push_back(take_edges<Dim>(sums.total(bodies + m)));
-    t.released.push_back(sums.total(bodies + m)[Lost<Dim>::released]);
+    t.released.push_back(sums.total(bodies + m)[LeftSums<Dim>::released]);
   }
   for (int p = 0; p < pairs; ++p) {
     const std::span<const double> row = sums.total(2 * bodies + p);

@@ -207,9 +207,9 @@ void judge_centres(const Evidence& e, const config::Limits& limits, Verdict& v) 
         {"centre-of-mass",
          c.name,
          fmt::format(
-             "the centre of mass of {} is {:.3g} mm ({:.3g} cells, at {:.4g} us) from where its momentum "
-             "has carried it on a way of {:.4g} mm, the limit is {:.3g} cells",
-             c.name, c.off * 1e3, cells, c.time * 1e6, c.way * 1e3, limits.centre_of_mass),
+             "the centre of mass of {} is {:.3g} mm ({:.3g} cells, the limit is {:.3g}) away from where its "
+             "momentum has carried it on a way of {:.4g} mm, at {:.4g} us",
+             c.name, c.off * 1e3, cells, limits.centre_of_mass, c.way * 1e3, c.time * 1e6),
          cells,
          limits.centre_of_mass,
          c.time,

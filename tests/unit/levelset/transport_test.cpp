@@ -152,7 +152,7 @@ TYPED_TEST(FollowingVolume, PhiFollowsTheVolume) {
   });
 }
 
-/// Debris has no corners to keep: its level sets follow at once.
+/// Debris has no corners to keep: its level sets follow faster.
 TYPED_TEST(FollowingVolume, PhiFollowsFailedMatterFaster) {
   constexpr int dim = TestFixture::dim;
   auto& state = this->state;

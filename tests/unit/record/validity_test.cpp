@@ -175,10 +175,10 @@ TEST(Validity, ACentreOfMassThatItsMomentumHasNotCarriedIsJudgedInCells) {
   EXPECT_EQ(v.kind, Verdict::Kind::doubtful);
   ASSERT_EQ(v.reasons.size(), 1U);
   EXPECT_EQ(v.reasons[0].what, "centre-of-mass");
-  EXPECT_EQ(
-      v.reasons[0].text,
-      "the centre of mass of flyer is 2 mm (10 cells, at 1 us) from where its momentum has carried it on "
-      "a way of 5 mm, the limit is 1 cells");
+  EXPECT_EQ(v.reasons[0].text,
+            "the centre of mass of flyer is 2 mm (10 cells, the limit is 1) away from where its momentum has "
+            "carried "
+            "it on a way of 5 mm, at 1 us");
   e.centres[0].way = 0.3;  // less than 1 % of it
   EXPECT_EQ(judged(e).kind, Verdict::Kind::valid);
   e.centres[0].way = 5e-3;
