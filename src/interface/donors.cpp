@@ -13,6 +13,7 @@
 #include "core/multiversion.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/candidates.hpp"
+#include "interface/coefficients.hpp"
 #include "state/level_set_view.hpp"
 
 namespace recoil {
@@ -32,57 +33,17 @@ template <int Dim>
 constexpr double decay_along = Dim == 3 ? 0.35 : 0.15;
 constexpr double end_exponent = 2.84, most_curved = 0.1;
 constexpr double decay_at_rim = 1.2, rim_curved = 0.02;
-// Beside contact the mean of a fit in matter that never yields is that of the nearest donors, with weights
-// that fall faster by this rate; only the gradient is that of all. Else the wall would not answer to waves
-// along the surface that are shorter than the fit is wide, and with reconstructions of little dissipation
-// these grow (docs/decisions/0043).
+// The mean of a fit has weights that fall along the surface by at least this rate; only its gradient is that
+// of all donors. A mean over more cells averages away waves along the surface that are two cells long: the
+// wall then does not answer to its own cell, and these waves grow (docs/decisions/0066; 0.3 is too little in
+// 2-D, 0.6 in 3-D).
+template <int Dim>
+constexpr double decay_of_mean = Dim == 3 ? 1.0 : 0.6;
+// Beside contact, in matter that never yields, it is the mean of the nearest donors alone, with weights that
+// fall faster by this rate in all directions: reconstructions there have too little dissipation for a wider
+// one (docs/decisions/0043).
 constexpr double decay_nearest = 1.8;
-// Second moments of the donors [dx^2] below which a gradient is damped (damped_inverse()).
-constexpr double fit_ridge = 0.006;
 constexpr int fit_reach = 7;  // the widest box reaches 6 cells, the surface point lies at most 1 away
-
-template <int Dim>
-using Matrix = std::array<Vec<Dim>, Dim>;
-
-/// Inverse of a symmetric positive matrix by its adjugate.
-template <int Dim>
-Matrix<Dim> inverse(const Matrix<Dim>& m) {
-  Matrix<Dim> a;
-  if constexpr (Dim == 1) {
-    a[0][0] = 1 / m[0][0];
-  } else if constexpr (Dim == 2) {
-    const double det = 1 / (m[0][0] * m[1][1] - m[0][1] * m[0][1]);
-    a[0][0] = m[1][1] * det;
-    a[1][1] = m[0][0] * det;
-    a[0][1] = a[1][0] = -m[0][1] * det;
-  } else {
-    const double c00 = m[1][1] * m[2][2] - m[1][2] * m[1][2], c01 = m[0][2] * m[1][2] - m[0][1] * m[2][2],
-                 c02 = m[0][1] * m[1][2] - m[0][2] * m[1][1];
-    const double det = 1 / (m[0][0] * c00 + m[0][1] * c01 + m[0][2] * c02);
-    a[0][0] = c00 * det;
-    a[0][1] = a[1][0] = c01 * det;
-    a[0][2] = a[2][0] = c02 * det;
-    a[1][1] = (m[0][0] * m[2][2] - m[0][2] * m[0][2]) * det;
-    a[1][2] = a[2][1] = (m[0][2] * m[0][1] - m[0][0] * m[1][2]) * det;
-    a[2][2] = (m[0][0] * m[1][1] - m[0][1] * m[0][1]) * det;
-  }
-  return a;
-}
-
-/// m (m m + r^2)^-1, which stands for the inverse of a symmetric matrix m of second moments (Tikhonov's
-/// regularisation of the least-squares problem of m itself). Of an eigenvalue far above r it is 1/m less the
-/// part (r/m)^2, at r as much as (m + r)^-1, and 0 at 0. (m + r)^-1 takes the part r/m of every gradient, 1
-/// to 3 %, and so brakes a body that turns (docs/decisions/0049).
-template <int Dim>
-Matrix<Dim> damped_inverse(const Matrix<Dim>& m, double r) {
-  Matrix<Dim> square{}, a{};
-  for (int d = 0; d < Dim; ++d)
-    for (int e = 0; e < Dim; ++e) square[d][e] = dot(m[d], m[e]) + (d == e ? r * r : 0);
-  const Matrix<Dim> inverted = inverse<Dim>(square);
-  for (int d = 0; d < Dim; ++d)
-    for (int e = 0; e < Dim; ++e) a[d][e] = dot(m[d], inverted[e]);
-  return a;
-}
 
 /// Where the donors of one fit lie, and how their weights fall with the distance from the surface point.
 template <int Dim>
@@ -266,93 +227,6 @@ int collect(const Grid<Dim>& grid, const Window<Dim>& w, const Vec<Dim>& point, 
   return static_cast<int>(donors.parts.size() - before);
 }
 
-/// The weight of a donor and, behind it, its place (kept in slope_weight).
-template <int Dim>
-[[gnu::always_inline]] inline void read_donor(const Donor<Dim>& donor, Four& v) {
-  static_assert(offsetof(Donor<Dim>, slope_weight) == offsetof(Donor<Dim>, weight) + sizeof(double));
-  v = Four{};
-  std::memcpy(&v, &donor.weight, (1 + Dim) * sizeof(double));
-}
-
-/// Sums over donors: of the weights, of these times the places, and times the places once more.
-template <int Dim>
-struct Moments {
-  double total = 0;
-  Vec<Dim> first;
-  Matrix<Dim> second;
-};
-
-template <int Dim>
-RECOIL_MULTIVERSION void find_moments(const Donor<Dim>* donors, int count, Moments<Dim>& out) {
-  double total = 0;
-  Four first{};
-  std::array<Four, Dim> second{};
-  for (int k = 0; k < count; ++k) {
-    Four donor;
-    read_donor(donors[k], donor);
-    const Four weighted = donor[0] * donor;
-    total += donor[0];
-    first += weighted;
-    for_each_axis<Dim>([&](auto d) RECOIL_INLINE { second[d] += weighted[d + 1] * donor; });
-  }
-  out.total = total;
-  for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
-    out.first[d] = first[d + 1];
-    for_each_axis<Dim>([&](auto e) RECOIL_INLINE { out.second[d][e] = second[d][e + 1]; });
-  });
-}
-
-/// From the places of donors to the coefficients of the gradient: weight times a (place - mean).
-template <int Dim>
-RECOIL_MULTIVERSION void set_slope_weights(const Matrix<Dim>& a, const Vec<Dim>& mean, int count,
-                                           Donor<Dim>* donors) {
-  Four middle{};
-  std::array<Four, Dim> column{};
-  for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
-    middle[d + 1] = mean[d];
-    for_each_axis<Dim>([&](auto e) RECOIL_INLINE { column[e][d + 1] = a[d][e]; });
-  });
-  for (int k = 0; k < count; ++k) {
-    Four donor, sum{};
-    read_donor(donors[k], donor);
-    const Four x = donor - middle;
-    for_each_axis<Dim>([&](auto e) RECOIL_INLINE { sum += column[e] * x[e + 1]; });
-    const Four slope = donor[0] * sum;
-    for_each_axis<Dim>([&](auto d) RECOIL_INLINE { donors[k].slope_weight[d] = slope[d + 1]; });
-  }
-}
-
-/// From weights and places (kept in slope_weight) to the coefficients of mean and gradient.
-/// @param by_nearest the mean is that of the nearest donors.
-template <int Dim>
-void solve(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors, bool by_nearest) {
-  Donor<Dim>* const first = donors.data() + wall.first_donor;
-  Moments<Dim> sums;
-  find_moments<Dim>(first, wall.donors, sums);
-  Matrix<Dim>& second = sums.second;
-  const Vec<Dim> mean = sums.first * (1 / sums.total);
-  for (int d = 0; d < Dim; ++d)
-    for (int e = d; e < Dim; ++e) second[d][e] = second[e][d] = second[d][e] - sums.total * mean[d] * mean[e];
-  const Matrix<Dim> a = damped_inverse<Dim>(second, fit_ridge * sums.total);
-  double weights = sums.total;
-  if (by_nearest) {
-    weights = 0;
-    wall.donor_centre = {};
-    for (Donor<Dim>* it = first; it != first + wall.donors; ++it) {
-      const Vec<Dim> at = it->slope_weight, x = at - mean;
-      for (int d = 0; d < Dim; ++d) it->slope_weight[d] = it->weight * dot(a[d], x);
-      it->weight *= std::exp(-decay_nearest * dot(at, at));
-      weights += it->weight;
-      wall.donor_centre += it->weight * at;
-    }
-    wall.donor_centre *= 1 / weights;
-  } else {
-    wall.donor_centre = mean;
-    set_slope_weights<Dim>(a, mean, wall.donors, first);
-  }
-  for (Donor<Dim>* it = first; it != first + wall.donors; ++it) it->weight /= weights;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -374,12 +248,19 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
     const Index<Dim> i = w.index_of(cut.cell);
     const double curvature = curvature_at(w, phi, w.at(i), state.grid().dx);
     const double rim = rims.near(i, phi, state.grid().dx);
+    Reach<Dim> reach;
     for (const int widened : {0, 4, 6})
-      if (wall.donors == 0)
-        wall.donors = collect(state.grid(), w, cut.point, reach_of<Dim>(cut.surface, curvature, rim, widened),
-                              candidates, b.donors);
+      if (wall.donors == 0) {
+        reach = reach_of<Dim>(cut.surface, curvature, rim, widened);
+        wall.donors = collect(state.grid(), w, cut.point, reach, candidates, b.donors);
+      }
+    Narrower mean;
+    if (elastic && rims.pressed_near(i))
+      mean.around = decay_nearest;
+    else if (Dim > 1 && reach.widened == 0)
+      mean.along = std::max(0.0, decay_of_mean<Dim> - reach.decay);
     if (wall.donors > 0)
-      solve(wall, b.donors.parts, elastic && rims.pressed_near(i));
+      find_coefficients(wall, b.donors.parts, reach.normal, mean);
     else
       ++counters.cuts_without_donor;
   }
