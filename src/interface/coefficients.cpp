@@ -12,6 +12,14 @@ namespace recoil {
 
 namespace {
 
+// In the mean of a fit donors count more than in its gradient the nearer they lie to the surface's normal
+// through the surface point: by this part there, falling along the surface at this rate [1/dx^2]. A mean of
+// all alike would average away waves along the surface that are two cells long: the wall would not answer to
+// its own cell, and these waves would grow (docs/decisions/0066).
+constexpr double middle_part = 0.5, decay_middle = 2;
+// Beside contact, in matter that never yields, the mean is that of the nearest donors, with weights that fall
+// faster by this rate in all directions: reconstructions have less dissipation there (docs/decisions/0043).
+constexpr double decay_nearest = 1.8;
 // Second moments of the donors [dx^2] below which a gradient is damped (damped_inverse()).
 constexpr double fit_ridge = 0.006;
 
@@ -97,31 +105,22 @@ RECOIL_MULTIVERSION void find_moments(const Donor<Dim>* donors, int count, Momen
   });
 }
 
-/// From the places of donors to the coefficients of the gradient: weight times a (place - mean).
+/// The weight of a donor in the mean, over that in the gradient. @param at its place from the surface point
+/// [dx].
 template <int Dim>
-RECOIL_MULTIVERSION void set_slope_weights(const Matrix<Dim>& a, const Vec<Dim>& mean, int count,
-                                           Donor<Dim>* donors) {
-  Four middle{};
-  std::array<Four, Dim> column{};
-  for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
-    middle[d + 1] = mean[d];
-    for_each_axis<Dim>([&](auto e) RECOIL_INLINE { column[e][d + 1] = a[d][e]; });
-  });
-  for (int k = 0; k < count; ++k) {
-    Four donor, sum{};
-    read_donor(donors[k], donor);
-    const Four x = donor - middle;
-    for_each_axis<Dim>([&](auto e) RECOIL_INLINE { sum += column[e] * x[e + 1]; });
-    const Four slope = donor[0] * sum;
-    for_each_axis<Dim>([&](auto d) RECOIL_INLINE { donors[k].slope_weight[d] = slope[d + 1]; });
-  }
+double in_mean(const Vec<Dim>& at, const Vec<Dim>& normal, bool by_nearest) {
+  const double square = dot(at, at);
+  if (by_nearest) return std::exp(-decay_nearest * square);
+  if (Dim == 1) return 1;
+  const double across = dot(at, normal);
+  return 1 + middle_part * std::exp(-decay_middle * (square - across * across));
 }
 
 }  // namespace
 
 template <int Dim>
 void find_coefficients(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors, const Vec<Dim>& normal,
-                       const Narrower& mean_by) {
+                       bool by_nearest) {
   Donor<Dim>* const first = donors.data() + wall.first_donor;
   Moments<Dim> sums;
   find_moments<Dim>(first, wall.donors, sums);
@@ -130,28 +129,21 @@ void find_coefficients(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors, const Ve
   for (int d = 0; d < Dim; ++d)
     for (int e = d; e < Dim; ++e) second[d][e] = second[e][d] = second[d][e] - sums.total * mean[d] * mean[e];
   const Matrix<Dim> a = damped_inverse<Dim>(second, fit_ridge * sums.total);
-  double weights = sums.total;
-  if (mean_by.along > 0 || mean_by.around > 0) {
-    weights = 0;
-    wall.donor_centre = {};
-    for (Donor<Dim>* it = first; it != first + wall.donors; ++it) {
-      const Vec<Dim> at = it->slope_weight, x = at - mean;
-      for (int d = 0; d < Dim; ++d) it->slope_weight[d] = it->weight * dot(a[d], x);
-      const double across = dot(at, normal), square = dot(at, at);
-      it->weight *= std::exp(-mean_by.along * (square - across * across) - mean_by.around * square);
-      weights += it->weight;
-      wall.donor_centre += it->weight * at;
-    }
-    wall.donor_centre *= 1 / weights;
-  } else {
-    wall.donor_centre = mean;
-    set_slope_weights<Dim>(a, mean, wall.donors, first);
+  double weights = 0;
+  wall.donor_centre = {};
+  for (Donor<Dim>* it = first; it != first + wall.donors; ++it) {
+    const Vec<Dim> at = it->slope_weight, x = at - mean;
+    for (int d = 0; d < Dim; ++d) it->slope_weight[d] = it->weight * dot(a[d], x);
+    it->weight *= in_mean(at, normal, by_nearest);
+    weights += it->weight;
+    wall.donor_centre += it->weight * at;
   }
+  wall.donor_centre *= 1 / weights;
   for (Donor<Dim>* it = first; it != first + wall.donors; ++it) it->weight /= weights;
 }
 
 #define RECOIL_INSTANTIATE(Dim) \
-  template void find_coefficients<Dim>(Wall<Dim>&, FieldArray<Donor<Dim>>&, const Vec<Dim>&, const Narrower&);
+  template void find_coefficients<Dim>(Wall<Dim>&, FieldArray<Donor<Dim>>&, const Vec<Dim>&, bool);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -33,16 +33,6 @@ template <int Dim>
 constexpr double decay_along = Dim == 3 ? 0.35 : 0.15;
 constexpr double end_exponent = 2.84, most_curved = 0.1;
 constexpr double decay_at_rim = 1.2, rim_curved = 0.02;
-// The mean of a fit has weights that fall along the surface by at least this rate; only its gradient is that
-// of all donors. A mean over more cells averages away waves along the surface that are two cells long: the
-// wall then does not answer to its own cell, and these waves grow (docs/decisions/0066; 0.3 is too little in
-// 2-D, 0.6 in 3-D).
-template <int Dim>
-constexpr double decay_of_mean = Dim == 3 ? 1.0 : 0.6;
-// Beside contact, in matter that never yields, it is the mean of the nearest donors alone, with weights that
-// fall faster by this rate in all directions: reconstructions there have too little dissipation for a wider
-// one (docs/decisions/0043).
-constexpr double decay_nearest = 1.8;
 constexpr int fit_reach = 7;  // the widest box reaches 6 cells, the surface point lies at most 1 away
 
 /// Where the donors of one fit lie, and how their weights fall with the distance from the surface point.
@@ -248,19 +238,12 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
     const Index<Dim> i = w.index_of(cut.cell);
     const double curvature = curvature_at(w, phi, w.at(i), state.grid().dx);
     const double rim = rims.near(i, phi, state.grid().dx);
-    Reach<Dim> reach;
     for (const int widened : {0, 4, 6})
-      if (wall.donors == 0) {
-        reach = reach_of<Dim>(cut.surface, curvature, rim, widened);
-        wall.donors = collect(state.grid(), w, cut.point, reach, candidates, b.donors);
-      }
-    Narrower mean;
-    if (elastic && rims.pressed_near(i))
-      mean.around = decay_nearest;
-    else if (Dim > 1 && reach.widened == 0)
-      mean.along = std::max(0.0, decay_of_mean<Dim> - reach.decay);
+      if (wall.donors == 0)
+        wall.donors = collect(state.grid(), w, cut.point, reach_of<Dim>(cut.surface, curvature, rim, widened),
+                              candidates, b.donors);
     if (wall.donors > 0)
-      find_coefficients(wall, b.donors.parts, reach.normal, mean);
+      find_coefficients(wall, b.donors.parts, unit(cut.surface), elastic && rims.pressed_near(i));
     else
       ++counters.cuts_without_donor;
   }
