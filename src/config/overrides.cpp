@@ -57,7 +57,9 @@ void apply_overrides(Document& document, const std::vector<std::string>& overrid
     const std::vector<std::string> path = split_path(dotted);
     const Place at_value{source_name, line, static_cast<int>(equals) + 2,
                          std::max(1, static_cast<int>(one.size() - equals) - 1)};
-    if (path.size() >= 2 && is_named_group(path[0])) {
+    const Node value = parse_value(without_blanks(one.substr(equals + 1)), at_value);
+    const bool adds_one = path.size() == 2 && value.is_table();  // gauge.face={kind="point", ...}
+    if (path.size() >= 2 && is_named_group(path[0]) && !adds_one) {
       const std::vector<std::string> names = document.names(path[0]);
       if (std::find(names.begin(), names.end(), path[1]) == names.end()) {
         const std::string near = did_you_mean(path[1], names);
@@ -66,12 +68,13 @@ void apply_overrides(Document& document, const std::vector<std::string>& overrid
                   !near.empty() ? near
                   : names.empty()
                       ? fmt::format("it has none: write [{}.{}] in the case file", path[0], path[1])
-                      : fmt::format("it has: {}", fmt::join(names, ", ")));
+                      : fmt::format("it has: {}. A new one: {}.{}={{...}} with all that it needs",
+                                    fmt::join(names, ", "), path[0], path[1]));
         continue;
       }
     }
     const Document before = document;
-    if (!put(document.root, path, parse_value(without_blanks(one.substr(equals + 1)), at_value))) {
+    if (!put(document.root, path, value)) {
       out.error({source_name, line, 1, static_cast<int>(equals)},
                 fmt::format("'{}' leads through a key that is not a table", one.substr(0, equals)));
       continue;

@@ -12,10 +12,10 @@ struct Habit {
   std::string_view written, meant;
 };
 
-constexpr std::array habits{Habit{"mps", "m/s"},   Habit{"kps", "km/s"},  Habit{"kmps", "km/s"},
-                            Habit{"mmps", "mm/s"}, Habit{"fps", "ft/s"},  Habit{"kph", "km/h"},
-                            Habit{"kmh", "km/h"},  Habit{"kmph", "km/h"}, Habit{"mph", "mile/h"},
-                            Habit{"gcc", "g/cm3"}, Habit{"gpcc", "g/cm3"}};
+constexpr std::array habits{Habit{"mps", "m/s"},    Habit{"kps", "km/s"},  Habit{"kmps", "km/s"},
+                            Habit{"kms", "km/s"},   Habit{"mmps", "mm/s"}, Habit{"fps", "ft/s"},
+                            Habit{"kph", "km/h"},   Habit{"kmh", "km/h"},  Habit{"kmph", "km/h"},
+                            Habit{"mph", "mile/h"}, Habit{"gcc", "g/cm3"}, Habit{"gpcc", "g/cm3"}};
 
 /// Capital letters or not.
 bool same_word(std::string_view a, std::string_view b) {

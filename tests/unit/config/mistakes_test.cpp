@@ -254,6 +254,21 @@ TEST(MistakesTogether, OfTheCommandLine) {
   EXPECT_NE(text.find("leads through a key that is not a table"), std::string::npos) << text;
 }
 
+/// A whole gauge, body or material may come from the command line; a key of one that is not there may not.
+TEST(MistakesTogether, OfTheCommandLineThatAddsAGauge) {
+  const auto said = [](const std::string& change) {
+    Diagnostics out;
+    Document doc = parse_document(with(0, ""), "case.toml", out);
+    apply_overrides(doc, {change}, out);
+    const std::size_t gauges = read_case(doc, out).gauges.size();
+    return out.error_count() > 0 ? out.text() : std::to_string(gauges) + " gauges";
+  };
+  EXPECT_EQ(said(R"(gauge.new={kind="point",body="flyer",at={x="1 mm"}})"), "2 gauges");
+  EXPECT_NE(said("gauge.new.kind=point").find("the case has no gauge 'new'"), std::string::npos);
+  EXPECT_NE(said(R"(gauge.new={kind="point",body="flyer"})").find("'at' is missing in [gauge.new]"),
+            std::string::npos);
+}
+
 TEST(MistakesTogether, OfTheCommandLineWhereACaseHasNoneOfAKind) {
   Diagnostics out;
   Document doc = parse_document("format = 1\n", "case.toml", out);

@@ -54,6 +54,7 @@ TEST(Units, RefusesWhatIsNoQuantityOfItsDimension) {
   expect_problem("1e999 mm", "m", "must be finite", "0.5 mm");
   expect_problem("1e307 km", "m", "beyond the range of numbers", "0.5 mm");
   expect_problem("5 mps", "m/s", "unknown unit 'mps'", "did you mean 'm/s'?");
+  expect_problem("5 kms", "m/s", "unknown unit 'kms'", "did you mean 'km/s'?");
   expect_problem("5 kph", "m/s", "unknown unit 'kph'", "did you mean 'km/h'?");
   expect_problem("0,05 mm", "m", "decimal comma", "point");
   expect_problem("5 mm 3", "m", "unknown unit", "");
