@@ -62,7 +62,8 @@ if(recoil_test_sources)
         Regrid/2.PlatesAreAsOnTheFinestMesh
         Regrid/2.RandomLevelsKeepSumsAndLinearFields
         Regrid/2.ThreadsGiveTheSameBits
-        Schemes/GhostFluid.ThreadsAndBlocksGiveTheSameBits/Seed)
+        Schemes/GhostFluid.ThreadsAndBlocksGiveTheSameBits/Seed
+        ShortWavesAlongSurfaces.*)
     list(JOIN recoil_long_tests ":" recoil_long_tests)
     set(recoil_test_groups 24)
     math(EXPR last "${recoil_test_groups} - 1")
