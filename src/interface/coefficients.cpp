@@ -119,9 +119,8 @@ double in_mean(const Vec<Dim>& at, const Vec<Dim>& normal, bool by_nearest) {
 }  // namespace
 
 template <int Dim>
-void find_coefficients(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors, const Vec<Dim>& normal,
-                       bool by_nearest) {
-  Donor<Dim>* const first = donors.data() + wall.first_donor;
+void find_coefficients(Wall<Dim>& wall, Donors<Dim>& donors, const Vec<Dim>& normal, bool by_nearest) {
+  Donor<Dim>* const first = donors.parts.data() + wall.first_donor;
   Moments<Dim> sums;
   find_moments<Dim>(first, wall.donors, sums);
   Matrix<Dim>& second = sums.second;
@@ -143,7 +142,7 @@ void find_coefficients(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors, const Ve
 }
 
 #define RECOIL_INSTANTIATE(Dim) \
-  template void find_coefficients<Dim>(Wall<Dim>&, FieldArray<Donor<Dim>>&, const Vec<Dim>&, bool);
+  template void find_coefficients<Dim>(Wall<Dim>&, Donors<Dim>&, const Vec<Dim>&, bool);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -9,7 +9,6 @@ namespace recoil {
 /// and their places (kept in slope_weight).
 /// @param normal of the surface. @param by_nearest the mean is that of the nearest donors alone.
 template <int Dim>
-void find_coefficients(Wall<Dim>& wall, FieldArray<Donor<Dim>>& donors, const Vec<Dim>& normal,
-                       bool by_nearest);
+void find_coefficients(Wall<Dim>& wall, Donors<Dim>& donors, const Vec<Dim>& normal, bool by_nearest);
 
 }  // namespace recoil

@@ -243,7 +243,7 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
         wall.donors = collect(state.grid(), w, cut.point, reach_of<Dim>(cut.surface, curvature, rim, widened),
                               candidates, b.donors);
     if (wall.donors > 0)
-      find_coefficients(wall, b.donors.parts, unit(cut.surface), elastic && rims.pressed_near(i));
+      find_coefficients(wall, b.donors, unit(cut.surface), elastic && rims.pressed_near(i));
     else
       ++counters.cuts_without_donor;
   }
