@@ -33,8 +33,8 @@ class ShortWaves : public TestRun<Dim> {
     });
   }
 
-  /// How much the kinetic energy grows once the waves inside have died out: the largest of `window` steps
-  /// over that of as many `dying` steps before, which `dying` other steps precede.
+  /// How much the kinetic energy grows once the waves inside have died out. Four spans follow each other, of
+  /// `dying`, `window`, `dying`, `window` steps: the largest of the last span over that of the second.
   double growth(int dying, int window) {
     loudest(dying);
     const double early = loudest(window);
@@ -90,7 +90,7 @@ config::Case box_in_void(config::Geometry geometry, const config::Box& box, doub
   return c;
 }
 
-/// With means over the whole reach of a fit its energy grows to 120 times as much in 1000 steps
+/// With means over the whole reach of a fit the energy grows by a factor of 120 in 1000 steps
 /// (docs/decisions/0066).
 TEST(ShortWavesAlongSurfaces, OfAPlateDieOut) {
   config::Box plate{.lo = vector_of(-3 * mm, -1.5 * mm), .hi = vector_of(3 * mm, 1.5 * mm)};
