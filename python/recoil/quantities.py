@@ -13,7 +13,7 @@ from .tables import series
 from .units import convert
 
 CONTACT = ("made", "opens", "separates", "recloses", "reopens", "first-lift-off", "last-lift-off", "lasts")
-EVENTS = ("contact", "opening", "separation", "reclosure", "ricochet", "lift-off", "failure")
+EVENTS = ("contact", "opening", "separation", "reclosure", "ricochet", "lift-off", "failure", "fragment")
 NAN = float("nan")
 SAME = 1e-9  # part of the time within which ends of spans and of curves are one
 

@@ -227,6 +227,18 @@ void put(const Values<Dim>& v, const Vec<Dim>& x, std::span<ExactSum> to) {
   for (int d = 0; d < Dim; ++d) to[k++] += x[d];
 }
 
+/// Where a point is dt [s] after the time for which its velocity is known.
+template <int Dim>
+Vec<Dim> moved(const Around<Dim>& around, const BodyPoint<Dim>& point, double dt) {
+  const double dx = around.grid.dx;
+  Vec<Dim> x = point.at;
+  if (!(point.follows && point.moves && dt > 0 && norm(point.velocity) * dt < dx)) return x;
+  const auto ahead = values_at(around, x + dt * point.velocity);
+  const Vec<Dim> then = ahead ? velocity_in<Dim>(*ahead) : point.velocity;
+  x += (0.5 * dt) * (norm(then) * dt < dx ? point.velocity + then : 2.0 * point.velocity);
+  return x;
+}
+
 /// The cell of the domain that holds x; a point on the domain's high edge belongs to the last one.
 template <int Dim>
 Index<Dim> cell_in_domain(const Grid<Dim>& grid, const Vec<Dim>& x) {
@@ -243,24 +255,24 @@ Index<Dim> cell_in_domain(const Grid<Dim>& grid, const Vec<Dim>& x) {
 
 template <int Dim>
 void probe_point(const State<Dim>& state, const BodyPoint<Dim>& point, int item, ExactSums& sums) {
-  const Body<Dim>& body = state.bodies[point.body];
-  if (body.rigid) return;
+  if (state.bodies[point.body].rigid) return;
   for (int slot = 0; slot < state.mesh.local(); ++slot) {
     const Grid<Dim>& grid = state.grid(slot);
     const Index<Dim> i = cell_in_domain(grid, point.at);
     if (!state.mesh.block(slot).cells.contains(i)) continue;
     Box<Dim> own{i, i};
     for (int d = 0; d < Dim; ++d) ++own.hi[d];
-    const Around<Dim> around{grid, body, Window<Dim>(state.mesh, slot, halo, own),
-                             far_cells * state.grid().dx};
-    Vec<Dim> x = point.at;
-    const double dt = state.time - point.time;
-    if (point.follows && point.moves && dt > 0 && norm(point.velocity) * dt < grid.dx) {
-      const auto ahead = values_at(around, x + dt * point.velocity);
-      const Vec<Dim> then = ahead ? velocity_in<Dim>(*ahead) : point.velocity;
-      x += (0.5 * dt) * (norm(then) * dt < grid.dx ? point.velocity + then : 2.0 * point.velocity);
-    }
-    if (const auto found = values_at(around, x)) put<Dim>(*found, x, sums.add(item).sums);
+    bool found = false;
+    for_each_part(state, point.body, [&](int m) {
+      if (found) return;
+      const Around<Dim> around{grid, state.bodies[m], Window<Dim>(state.mesh, slot, halo, own),
+                               far_cells * state.grid().dx};
+      const Vec<Dim> x = moved(around, point, state.time - point.time);
+      if (const auto values = values_at(around, x)) {
+        put<Dim>(*values, x, sums.add(item).sums);
+        found = true;
+      }
+    });
     return;
   }
 }

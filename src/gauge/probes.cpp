@@ -13,15 +13,17 @@ namespace {
 constexpr double near_reach = 2, far_reach = 4;  // dx
 constexpr double least_area = 0.02;              // of dx^(Dim-1): least weight of a sliver of surface
 
-/// This rank's blocks in which a body may have surface near x: f(slot, block of the body).
+/// This rank's blocks in which a body, or a fragment of it, may have surface near x: f(slot, body).
 template <int Dim, class F>
 void for_blocks_near(const State<Dim>& state, int body, const Vec<Dim>& x, F&& f) {
   const Index<Dim> centre = state.grid().cell_of(x);
-  const Body<Dim>& b = state.bodies[body];
-  for (int slot = 0; slot < state.mesh.local(); ++slot)
-    if (b.present(slot) && state.mesh.block(slot).level == 0 &&
-        state.mesh.block(slot).cells.grown(static_cast<int>(far_reach) + 1).contains(centre))
-      f(slot, b.at(slot));
+  for_each_part(state, body, [&](int m) {
+    const Body<Dim>& b = state.bodies[m];
+    for (int slot = 0; slot < state.mesh.local(); ++slot)
+      if (b.present(slot) && state.mesh.block(slot).level == 0 &&
+          state.mesh.block(slot).cells.grown(static_cast<int>(far_reach) + 1).contains(centre))
+        f(slot, b);
+  });
 }
 
 /// Adds weight times velocity and normal to the near and far sums.
@@ -51,7 +53,8 @@ double cells_apart2(const Vec<Dim>& a, const Vec<Dim>& b, double dx) {
 template <int Dim>
 void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int item, ExactSums& sums) {
   const double dx = state.grid().dx;
-  for_blocks_near(state, point.body, point.at, [&](int slot, const BodyBlock<Dim>& b) {
+  for_blocks_near(state, point.body, point.at, [&](int slot, const Body<Dim>& body) {
+    const BodyBlock<Dim>& b = body.at(slot);
     for (std::size_t m = 0; m < std::min(b.walls.size(), b.geometry.cuts.size()); ++m) {
       const CutCell<Dim>& cut = b.geometry.cuts[m];
       const Wall<Dim>& wall = b.walls[m];
@@ -73,7 +76,8 @@ void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& poi
   using C = Components<Dim>;
   const double dx = state.grid().dx;
   const Box<Dim> layout = state.grid().layout();
-  for_blocks_near(state, point.body, point.at, [&](int slot, const BodyBlock<Dim>& b) {
+  for_blocks_near(state, point.body, point.at, [&](int slot, const Body<Dim>& body) {
+    const BodyBlock<Dim>& b = body.at(slot);
     const Box<Dim> cells = state.mesh.block(slot).cells;
     const std::size_t n = b.volume.size();
     const Window<Dim> window(state.mesh, slot, 1);
@@ -85,7 +89,7 @@ void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& poi
       for (int d = 0; d < Dim; ++d)
         velocity[d] = b.contents[static_cast<std::size_t>(C::u + d) * n + k] / b.contents[k];
       add_reading(sums.add(item), r2, std::exp(-2 * r2), velocity,
-                  level_set_slope(window, state.bodies[point.body], i, 1, far_cells * dx));
+                  level_set_slope(window, body, i, 1, far_cells * dx));
     });
   });
 }

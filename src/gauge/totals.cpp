@@ -292,6 +292,19 @@ void add_ledgers(const State<Dim>& state, ExactSums& sums) {
 }  // namespace
 
 template <int Dim>
+BodyTotals<Dim>& BodyTotals<Dim>::operator+=(const BodyTotals& b) {
+  mass += b.mass, kinetic += b.kinetic, energy += b.energy, volume += b.volume;
+  momentum += b.momentum, place += b.place, angular_momentum += b.angular_momentum;
+  speed += b.speed, failed += b.failed, cells += b.cells;
+  plastic_strain = std::max(plastic_strain, b.plastic_strain);
+  for (int d = 0; d < Dim; ++d) {  // NaN where a body is nowhere
+    lowest[d] = std::fmin(lowest[d], b.lowest[d]);
+    highest[d] = std::fmax(highest[d], b.highest[d]);
+  }
+  return *this;
+}
+
+template <int Dim>
 Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, parallel::Team* team) {
   using A = At<Dim>;
   const int bodies = state.count(), pairs = bodies * (bodies - 1) / 2;
@@ -355,6 +368,7 @@ Vec<3> received_moment(const Totals<Dim>& totals, int m) {
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                      \
+  template BodyTotals<Dim>& BodyTotals<Dim>::operator+=(const BodyTotals<Dim>&);                     \
   template Totals<Dim> find_totals<Dim>(const State<Dim>&, const parallel::World&, parallel::Team*); \
   template Account<Dim> received<Dim>(const Totals<Dim>&, int);                                      \
   template Vec<3> received_moment<Dim>(const Totals<Dim>&, int);

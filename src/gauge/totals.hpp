@@ -28,6 +28,8 @@ struct BodyTotals {
   std::int64_t cells = 0;     // with matter
 
   double internal() const { return energy - kinetic; }
+  /// Takes in the sums of another body.
+  BodyTotals& operator+=(const BodyTotals& b);
 };
 
 /// What all bodies hold, and what they have passed to each other and through the edges of the domain since

@@ -350,6 +350,8 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
       body.temperature = temperature_law(body.material);
       body.detonation = detonation_front<Dim>(c.bodies[m], body.material);
     }
+    const auto source = std::ranges::find(c.bodies, c.bodies[m].fragments_of, &config::Body::name);
+    if (source != c.bodies.end()) body.fragments_of = static_cast<int>(source - c.bodies.begin());
     state.bodies.push_back(std::move(body));
     place_body(state, static_cast<int>(m), c.bodies[m], distance[m]);
   }

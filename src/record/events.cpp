@@ -323,6 +323,12 @@ void EventWatch::failure(const std::string& body, double time, std::vector<doubl
   parts_->add({time, "failure", body, std::move(place), "its matter fails for the first time"});
 }
 
+void EventWatch::fragment(const std::string& body, const std::string& by, double time,
+                          std::vector<double> place) {
+  parts_->add(
+      {time, "fragment", body, std::move(place), "one of its fragments goes on as part of '" + by + "'"});
+}
+
 void EventWatch::finish() {
   for (Watched& w : parts_->pairs) {
     if (!w.story.open && !std::isnan(w.silent)) parts_->believe(w);

@@ -14,9 +14,9 @@ namespace recoil {
 
 /// One thing that happened: a line of events.csv and of the live display.
 struct Event {
-  double time = 0;            ///< s
-  std::string kind;           ///< contact, opening, separation, reclosure, ricochet, lift-off or failure
-  std::string bodies;         ///< "flyer-target"; of a failure "target"
+  double time = 0;     ///< s
+  std::string kind;    ///< contact, opening, separation, reclosure, ricochet, lift-off, failure, fragment
+  std::string bodies;  ///< "flyer-target"; of a failure or a fragment "target"
   std::vector<double> place;  ///< m, mean place of the contact; one component per axis, empty: none
   std::string detail;
 
@@ -91,6 +91,8 @@ class EventWatch {
   void lift_off(std::size_t pair, double time, const std::vector<double>& place);
   /// The first failure of a body's matter; later calls for the same body do nothing.
   void failure(const std::string& body, double time, std::vector<double> place);
+  /// A fragment of `body`, with its centre of mass at `place`, goes on as a part of the body `by`.
+  void fragment(const std::string& body, const std::string& by, double time, std::vector<double> place);
   /// Believes the openings that are still on trial; adds lift-offs and ricochets.
   void finish();
 

@@ -50,7 +50,7 @@ void add_contacts(Quantities& q, const EventWatch& events) {
       q.flags[name + ".recloses"] = s.recloses;
     }
   for (const char* kind :
-       {"contact", "opening", "separation", "reclosure", "ricochet", "lift-off", "failure"})
+       {"contact", "opening", "separation", "reclosure", "ricochet", "lift-off", "failure", "fragment"})
     q.flags[std::string("event.") + kind] = false;
   for (const Event& e : events.events()) q.flags["event." + e.kind] = true;
 }

@@ -1,6 +1,7 @@
 #include "record/recorder.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "record/recorder_parts.hpp"
@@ -93,6 +94,13 @@ void Recorder<Dim>::after_step(const State<Dim>& state, double dt, bool unstable
     p.save_status(state, "running");
   }
   p.stop_beyond_limits(state, history || bodies);
+}
+
+template <int Dim>
+void Recorder<Dim>::fragment(const State<Dim>& state, int from, int to, const Vec<Dim>& place) {
+  Parts& p = *parts_;
+  const auto name = [&](int body) { return p.names[static_cast<std::size_t>(body)]; };
+  p.events.fragment(name(from), name(to), state.time, {place.c.begin(), place.c.end()});
 }
 
 template <int Dim>

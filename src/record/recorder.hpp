@@ -38,6 +38,9 @@ class Recorder {
   void after_step(const State<Dim>& state, double dt, bool unstable = false);
   /// After regrid() has changed the mesh: what is kept for each block follows its block.
   void after_regrid(const State<Dim>& state);
+  /// A fragment, with its centre of mass at `place`, has gone from one body to another. Not collective; of
+  /// rank 0.
+  void fragment(const State<Dim>& state, int from, int to, const Vec<Dim>& place);
   /// The end: last records and fields, expectations, summary.json and status.json.
   Summary finish(const State<Dim>& state, const RunFacts& facts);
   /// For checkpoints: what belongs to no block, on rank 0, with everything written so far handed to the

@@ -279,10 +279,14 @@ std::vector<typename StateSurvey<Dim>::Line> StateSurvey<Dim>::own_lines(
 template <int Dim>
 std::vector<BodyEvidence> StateSurvey<Dim>::told(const State<Dim>& state,
                                                  const std::vector<Line>& lines) const {
+  std::vector<Line> judged = lines;  // fragments that other bodies have taken up count with their source
+  for (std::size_t m = 0; m < lines.size(); ++m)
+    if (const int source = state.bodies[m].fragments_of; source >= 0)
+      merge(judged[static_cast<std::size_t>(source)], lines[m]);
   std::vector<BodyEvidence> all;
   for (std::size_t m = 0; m < lines.size(); ++m) {
-    if (state.bodies[m].rigid) continue;
-    const Line& line = lines[m];
+    if (state.bodies[m].rigid || state.bodies[m].fragments_of >= 0) continue;
+    const Line& line = judged[m];
     BodyEvidence& e = all.emplace_back();
     e.name = state.bodies[m].name;
     e.by_energy = state.bodies[m].material.thermal.rule == Thermal::Rule::energy;

@@ -44,7 +44,8 @@ std::vector<std::pair<const char*, std::int64_t*>> Counters::list() {
           {"faces-at-open-edges", &faces_at_open_edges},
           {"opened-cells", &opened_cells},
           {"restored-cells", &restored_cells},
-          {"pushed-contacts", &pushed_contacts}};
+          {"pushed-contacts", &pushed_contacts},
+          {"fragments-without-body", &fragments_without_body}};
 }
 
 template <int Dim>

@@ -71,6 +71,7 @@ struct Body {
   TemperatureLaw temperature;  // of the material
   std::optional<RigidMotion<Dim>> rigid;
   std::optional<DetonationFront<Dim>> detonation;
+  int fragments_of = -1;               // the body whose fragments it takes up; -1: it began with matter
   std::vector<BodyBlock<Dim>> blocks;  // by slot
 
   BodyBlock<Dim>& at(int slot) { return blocks[slot]; }
@@ -88,7 +89,7 @@ struct Counters {
                volume_bounds = 0, volume_bounds_left = 0, floored_sound_speeds = 0, contacts_lost = 0,
                opened_cells = 0, restored_cells = 0, torn_states = 0, faces_of_dust = 0, cleared_strains = 0,
                clamped_damage = 0, clamped_distensions = 0, flat_refinements = 0, faces_at_open_edges = 0,
-               pushed_contacts = 0;
+               pushed_contacts = 0, fragments_without_body = 0;
 
   Counters& operator+=(const Counters& b);
   /// Name and count of each, in a fixed order.
@@ -209,6 +210,13 @@ struct State {
   const Grid<Dim>& grid(int slot) const { return mesh.grid(slot); }
   int count() const { return static_cast<int>(bodies.size()); }
 };
+
+/// f(number) for a body and those that take up its fragments.
+template <int Dim, class F>
+void for_each_part(const State<Dim>& state, int body, F&& f) {
+  for (int m = 0; m < state.count(); ++m)
+    if (m == body || state.bodies[m].fragments_of == body) f(m);
+}
 
 /// At most this many bodies: a cell's partners are bits of one word.
 inline constexpr int most_bodies = 32;

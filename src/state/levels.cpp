@@ -233,6 +233,7 @@ State<Dim> empty_on(Mesh<Dim>&& mesh, const State<Dim>& from) {
     Body<Dim>& b = to.bodies.emplace_back();
     b.name = body.name, b.material = body.material, b.temperature = body.temperature, b.rigid = body.rigid;
     b.detonation = body.detonation;
+    b.fragments_of = body.fragments_of;
     b.blocks.resize(slots);
   }
   to.contacts.resize(local);

@@ -177,5 +177,82 @@ class Fragments(unittest.TestCase):
         self.assertEqual(picture.returncode, 0, picture.stderr)
 
 
+class Parted(unittest.TestCase):
+    """The scab of the target goes to a body of its own; a wall throws it back, and it meets the rest."""
+
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = pathlib.Path(scratch.name)
+        cls.case = cls.folder / "scab.toml"
+        more = """
+[body.wall]
+rigid = true
+shape = { kind = "half-space", point = { x = "2.2 mm" }, normal = { x = -1 } }
+[body.scab]
+fragments-of = "target"
+"""
+        cls.case.write_text(CASE.replace('"1.2 us"', '"2.4 us"').replace("keep = 9", "keep = 99") + more)
+        cls.run_case("1", "-n", "1", "-j", "1")
+
+    @classmethod
+    def run_case(cls, name, *words):
+        done = recoil("run", cls.case, "-o", cls.folder / name, "--plain", *words)
+        assert done.returncode in (0, 6), done.stdout + done.stderr
+
+    def same(self, name):
+        one = self.folder / "1"
+        for file in ("fragments.csv", "history.csv", "events.csv", "gauges/spall.csv", "gauges/behind.csv"):
+            self.assertTrue(filecmp.cmp(one / file, self.folder / name / file, shallow=False), f"{name} {file}")
+
+    def test_the_scab_is_a_body(self):
+        events = table(self.folder / "1" / "events.csv")
+        parted = [row for row in events if row["event"] == "fragment"]
+        self.assertTrue(parted)
+        self.assertEqual(parted[0]["bodies"], "target")
+        self.assertIn("'scab'", parted[0]["detail"])
+        touching = [row["bodies"] for row in events if row["event"] == "contact"]
+        self.assertIn("target-scab", touching)
+        numbers = {row["quantity"]: row["value"] for row in table(self.folder / "1" / "quantities.csv")}
+        self.assertEqual(numbers["event.fragment"], "true")
+
+    def test_balances_of_each(self):
+        budgets = json.loads((self.folder / "1" / "summary.json").read_text())["budgets"]
+        self.assertIn("scab", str(budgets))
+        history = table(self.folder / "1" / "history.csv")
+        for row in history:
+            mass = float(row["target.mass [kg/m]"]) + float(row["scab.mass [kg/m]"])
+            self.assertAlmostEqual(mass / float(history[0]["target.mass [kg/m]"]), 1, delta=1e-12)
+            for body in ("target", "scab", "total"):
+                for what in ("mass", "momentum", "energy"):
+                    self.assertLess(abs(float(row[f"{body}.drift.{what} [1]"])), 1e-11, f"{body} {what}")
+
+    def test_gauges_follow_the_scab(self):
+        """A gauge of the target counts what the scab has taken up."""
+        rows = table(self.folder / "1" / "gauges" / "spall.csv")
+        self.assertAlmostEqual(float(rows[-1]["pullback [m/s]"]), 134, delta=8)
+        pieces = table(self.folder / "1" / "gauges" / "pieces.csv")
+        self.assertGreaterEqual(float(pieces[-1]["count [1]"]), 2)
+        behind = table(self.folder / "1" / "gauges" / "behind.csv")
+        self.assertGreater(max(float(row["mass [kg/m]"]) for row in behind), 0.5)
+
+    def test_same_bits(self):
+        self.run_case("2", "-n", "2", "-j", "1")
+        self.same("2")
+        self.run_case("3", "-n", "3", "-j", "2", "--set", "mesh.block=16")
+        self.same("3")
+
+    def test_a_resumed_run_has_the_same(self):
+        run = self.folder / "resumed"
+        shutil.copytree(self.folder / "1", run)
+        (run / "summary.json").unlink()
+        for later in sorted((run / "checkpoints").iterdir())[3:]:
+            shutil.rmtree(later) if later.is_dir() else later.unlink()
+        done = recoil("resume", run, "--plain", "-n", "2", "-j", "1")
+        self.assertIn(done.returncode, (0, 6), done.stdout + done.stderr)
+        self.same("resumed")
+
+
 if __name__ == "__main__":
     unittest.main()

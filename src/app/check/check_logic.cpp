@@ -51,6 +51,7 @@ void check_rigid_thickness(LoadedCase& loaded, const Body& body, double t) {
 void check_thickness(LoadedCase& loaded) {
   const Case& c = loaded.contents;
   for (const Body& body : c.bodies) {
+    if (body.takes_up_fragments()) continue;
     const bool plain = thickness(body.shape, c.domain) < 1e300;
     const double t = plain || body.rigid ? thickness(body.shape, c.domain) : least_thickness(body.shape, c);
     const double needed = plain ? cells_needed : least_cells;
@@ -122,6 +123,7 @@ void check_places(LoadedCase& loaded) {
   const std::vector<double> cells = cells_of_bodies(c);
   for (std::size_t m = 0; m < c.bodies.size(); ++m) {
     const Body& body = c.bodies[m];
+    if (body.takes_up_fragments()) continue;
     const double t = least_thickness(body.shape, c);
     if (!body.rigid && t < 0.999 * c.mesh.finest)
       loaded.found.error(body.shape.place,

@@ -66,7 +66,7 @@ void check_edges(LoadedCase& loaded) {
   const config::Case& c = loaded.contents;
   const std::vector<std::string> axes = config::axes_of(c.domain.geometry);
   for (const Body& body : c.bodies) {
-    if (body.rigid) continue;
+    if (body.rigid || body.takes_up_fragments()) continue;
     for (DomainEdge edge; edge.axis < axes.size(); ++edge.axis)
       for (edge.side = 0; edge.side < 2; ++edge.side) {
         if (c.domain.boundary[edge.axis][edge.side] != config::Boundary::outflow) continue;

@@ -13,6 +13,7 @@
 #include "config/geometry.hpp"
 #include "config/shape/slabs.hpp"
 #include "core/error.hpp"
+#include "material/eos/isentrope.hpp"
 #include "material/hugoniot.hpp"
 
 namespace recoil::app {
@@ -143,7 +144,8 @@ void check_lighting(LoadedCase& loaded, const Body& b) {
   }
 }
 
-/// Only explosives detonate, and only the conservative scheme knows how, or moves a body by its history.
+/// Only explosives detonate, and only the conservative scheme knows how, moves a body by its history, or
+/// parts fragments.
 void check_drives(LoadedCase& loaded) {
   const Case& c = loaded.contents;
   for (std::size_t m = 0; m < c.bodies.size(); ++m) {
@@ -162,8 +164,13 @@ void check_drives(LoadedCase& loaded) {
                            fmt::format("e.g. detonation = {{ points = [{{ {} = \"0 mm\" }}] }} in [{}]",
                                        config::axes_of(c.domain.geometry).front(), path));
     if (lit && explosive) check_lighting(loaded, b);
+    if (b.takes_up_fragments() && !b.rigid && is_gas(loaded.materials[m].eos))
+      loaded.found.error(b.fragments_place,
+                         fmt::format("'{}' is a gas, which leaves no fragments", b.fragments_of),
+                         "take out this body");
     for (const auto& [key, given] :
-         {std::pair("detonation", lit), std::pair("velocity-history", !b.velocity_history.empty())})
+         {std::pair("detonation", lit), std::pair("velocity-history", !b.velocity_history.empty()),
+          std::pair("fragments-of", b.takes_up_fragments())})
       if (given && c.method.scheme != "conservative")
         loaded.found.error(place_of(loaded, path + "." + key, b.place),
                            fmt::format("'{}' needs method.scheme = \"conservative\"", key),

@@ -164,6 +164,8 @@ void Simulation<Dim>::advance() {
   const Stepping stepping = stepping_of(case_);
   try {
     if (regrid(state_, engine_, refinement_)) recorder_->after_regrid(state_);
+    for (const auto& f : part_fragments(state_, engine_))
+      recorder_->fragment(state_, f.from, f.to, f.position);
     dt_ = scheme_.advance(state_, stepping, case_.time.end, engine_);
     recorder_->after_step(state_, dt_, engine_.unstable);
   } catch (const PhysicsError& e) {

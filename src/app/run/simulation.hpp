@@ -16,6 +16,7 @@
 #include "parallel/traffic.hpp"
 #include "parallel/world.hpp"
 #include "record/recorder.hpp"
+#include "timestep/part_fragments.hpp"
 #include "timestep/regrid.hpp"
 #include "timestep/schemes.hpp"
 

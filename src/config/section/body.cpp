@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -109,12 +110,26 @@ void check_material(const Body& body, const TableReading& reading) {
   if (body.rigid && reading.has("material"))
     reading.refuse("material", fmt::format("rigid body '{}' has a material", body.name),
                    "remove 'material' or 'rigid'");
-  if (!body.rigid && !reading.has("material"))
+  if (!body.rigid && !reading.has("material") && !reading.has("fragments-of"))
     reading.in.out.error(reading.node.key_place,
                          fmt::format("'material' is missing in [{}]", reading.node.path),
                          "e.g. material = \"copper/ofhc-johnson-cook\", or rigid = true");
   if (reading.good("material") && reading.has("material") && body.material.empty())
     reading.wrong("material", "the material has no name", "`recoil material list` lists all");
+}
+
+/// A body has either a shape, or takes up fragments; then all else is that of the body that breaks.
+void check_shape(Body& body, const TableReading& reading) {
+  if (!reading.has("fragments-of")) {
+    if (!reading.has("shape")) reading.missing("shape");
+    return;
+  }
+  body.shape.form = Union{};
+  for (const Key& key : reading.keys)
+    if (key.name != "fragments-of" && reading.has(key.name))
+      reading.refuse(
+          key.name, fmt::format("'{}' and 'fragments-of' do not go together", key.name),
+          "a body that takes up fragments begins empty, and has the material of the body that breaks");
 }
 
 /// The mass of a rigid body and how it turns go together.
@@ -177,7 +192,7 @@ Entries<Body> keys_of_matter() {
            .member = &Body::material,
            .doc = "a material of the library, or a [material.NAME] of this case",
            .example = R"("copper/ofhc-johnson-cook")",
-           .when = [](const Body& b) { return !b.rigid; }},
+           .when = [](const Body& b) { return !b.rigid && !b.takes_up_fragments(); }},
           {.name = "rigid",
            .member = &Body::rigid,
            .doc = "a rigid body: it has no material, and keeps its velocity unless it has a mass",
@@ -240,9 +255,16 @@ Entries<Body> keys_of_start() {
   return {
       {.name = "shape",
        .member = custom_shape(),
-       .required = true,
-       .doc = "where it is at the start",
-       .example = R"({ kind = "sphere", radius = "5 mm" })"},
+       .doc = "where it is at the start; every body needs one but those with fragments-of",
+       .example = R"({ kind = "sphere", radius = "5 mm" })",
+       .when = [](const Body& b) { return !b.takes_up_fragments(); }},
+      {.name = "fragments-of",
+       .member = &Body::fragments_of,
+       .optional = true,
+       .doc =
+           "the name of a body that may break: this one begins empty and takes up fragments of it, so that "
+           "fragments which come near each other touch and slide instead of welding",
+       .example = R"("target")"},
       {.name = "velocity",
        .member = custom_velocity(),
        .unit = "m/s",
@@ -250,7 +272,7 @@ Entries<Body> keys_of_start() {
            "at the start; planar also { speed = \"1 km/s\", angle = \"-10 deg\" } from the x axis; 3d with "
            "elevation = \"30 deg\" as well, out of the plane of x and y",
        .example = R"({ x = "450 m/s" })",
-       .when = [](const Body& b) { return b.velocity_history.empty(); }},
+       .when = [](const Body& b) { return b.velocity_history.empty() && !b.takes_up_fragments(); }},
       {.name = "spin",
        .member = &Body::spin,
        .unit = "rad/s",
@@ -296,6 +318,7 @@ Entries<Body> Body::keys() {
 }
 
 void Body::check(const TableReading& reading) {
+  check_shape(*this, reading);
   check_material(*this, reading);
   check_free_body(*this, reading);
   check_spin(*this, reading);
@@ -305,15 +328,40 @@ void Body::check(const TableReading& reading) {
   if (is_free(*this)) spin_centre = centre_of_mass;
 }
 
+namespace {
+
+/// Gives a body that takes up fragments what those are made of.
+void follow_source(Body& body, const std::vector<Body>& bodies, const CaseReading& in) {
+  if (!check_body(body.fragments_of, body.fragments_place, in)) return;
+  const Body& source = *std::ranges::find(bodies, body.fragments_of, &Body::name);
+  const char* fault = nullptr;
+  if (source.rigid) fault = "a rigid body does not break";
+  if (source.takes_up_fragments()) fault = "it takes up fragments itself: name the body that breaks";
+  if (!source.detonation.points.empty()) fault = "an explosive that is lit leaves no fragments";
+  if (fault)
+    return in.out.error(body.fragments_place,
+                        fmt::format("'{}' cannot take up fragments of '{}'", body.name, source.name), fault);
+  body.material = source.material;
+  body.material_place = source.material_place;
+  body.pressure = source.pressure;
+  body.temperature = source.temperature;
+}
+
+}  // namespace
+
 void read_bodies(const Node& table, std::vector<Body>& bodies, CaseReading& in) {
   for (const Node& node : table.children) {
     if (!check_is_table(node, "body", in.out) || !check_name(node, "body", in.out)) continue;
     Body& body = bodies.emplace_back();
     body.name = node.key;
     body.place = node.key_place;
-    body.material_place = read_struct(node, body, in).place("material");
+    const Record read = read_struct(node, body, in);
+    body.material_place = read.place("material");
+    body.fragments_place = read.place("fragments-of");
     in.bodies.push_back(body.name);
   }
+  for (Body& body : bodies)
+    if (body.takes_up_fragments()) follow_source(body, bodies, in);
   if (table.children.empty())
     in.out.error(table.key_place, "the case has no body",
                  "write [body.NAME] and give it a material and a shape");

@@ -87,6 +87,7 @@ RECOIL_INSTANTIATE(3)
 #undef RECOIL_INSTANTIATE
 
 Bounds Union::bounds(const Domain& domain) const {
+  if (parts.empty()) return {};
   Bounds all = bounds_of(parts.front(), domain);
   for (const Shape& part : parts) all = all.with(bounds_of(part, domain));
   return all;

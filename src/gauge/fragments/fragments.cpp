@@ -28,19 +28,22 @@ struct Site {
   std::size_t slot = 0, cell = 0;
 };
 
-/// Whether two cells that share a face are connected.
-bool connected(const FragmentBlock& a, std::size_t i, const FragmentBlock& b, std::size_t j) {
+/// Whether two cells with matter that share a face are connected.
+bool connected(const FragmentBlock& a, std::size_t i, const FragmentBlock& b, std::size_t j, Connected how) {
+  if (!(a.phi[i] + b.phi[j] < 0)) return false;
   const Hold hold = a.hold[i];
-  return hold == b.hold[j] && (hold == Hold::holds || hold == Hold::rubble) && a.phi[i] + b.phi[j] < 0;
+  return how == Connected::by_level_set ||
+         (hold == b.hold[j] && (hold == Hold::holds || hold == Hold::rubble));
 }
 
 /// Sets of own cells of one body, and what other processes' cells they are connected to.
 template <int Dim>
 class Labels {
  public:
-  Labels(const Mesh<Dim>& mesh, std::vector<FragmentBlock>& blocks)
+  Labels(const Mesh<Dim>& mesh, std::vector<FragmentBlock>& blocks, Connected how)
       : mesh_(mesh),
         blocks_(blocks),
+        how_(how),
         size_(static_cast<std::size_t>(mesh.grid().layout().size())),
         sets_(static_cast<std::size_t>(mesh.local()) * size_) {
     for (std::size_t slot = 0; slot < own(); ++slot)
@@ -70,7 +73,7 @@ class Labels {
       const Site there{static_cast<std::size_t>(s), static_cast<std::size_t>(k)};
       const FragmentBlock& o = blocks_[there.slot];
       if (o.hold.empty() || o.hold[there.cell] == Hold::none) return;
-      if (connected(b, here.cell, o, there.cell)) {
+      if (connected(b, here.cell, o, there.cell, how_)) {
         any = true;
         join(here, there);
       }
@@ -102,6 +105,7 @@ class Labels {
 
   const Mesh<Dim>& mesh_;
   std::vector<FragmentBlock>& blocks_;
+  Connected how_;
   std::size_t size_;  // cells of a layout
   DisjointSets sets_;
   std::vector<std::pair<Site, Site>> across_;
@@ -284,11 +288,11 @@ void number_cells(const State<Dim>& state, const Cells& cells,
 }  // namespace
 
 template <int Dim>
-Fragments<Dim> find_fragments(const State<Dim>& state, const parallel::World& world) {
+Fragments<Dim> find_fragments(const State<Dim>& state, const parallel::World& world, Connected how) {
   Cells cells = fragment_cells(state, world);
   std::vector<std::pair<std::size_t, std::vector<std::pair<Site, Site>>>> across;
   for (std::size_t m = 0; m < cells.size(); ++m)
-    across.emplace_back(m, Labels<Dim>(state.mesh, cells[m]).across());
+    across.emplace_back(m, Labels<Dim>(state.mesh, cells[m], how).across());
   exchange_numbers(state, world, cells);
   std::vector<Numbers> edges;
   for (const auto& [m, sites] : across)
@@ -321,8 +325,8 @@ Fragments<Dim> find_fragments(const State<Dim>& state, const parallel::World& wo
   return result;
 }
 
-template Fragments<1> find_fragments<1>(const State<1>&, const parallel::World&);
-template Fragments<2> find_fragments<2>(const State<2>&, const parallel::World&);
-template Fragments<3> find_fragments<3>(const State<3>&, const parallel::World&);
+template Fragments<1> find_fragments<1>(const State<1>&, const parallel::World&, Connected);
+template Fragments<2> find_fragments<2>(const State<2>&, const parallel::World&, Connected);
+template Fragments<3> find_fragments<3>(const State<3>&, const parallel::World&, Connected);
 
 }  // namespace recoil

@@ -56,8 +56,15 @@ struct Fragments {
   }
 };
 
+/// What connects two cells of one body that share a face.
+enum class Connected : std::uint8_t {
+  by_matter,    // both hold or both are rubble, and the level set has no void between them: see above
+  by_level_set  // the level set has no void between them, whatever has failed
+};
+
 /// Looks at all deformable bodies. Collective; allocates: not for every step of a long run.
 template <int Dim>
-Fragments<Dim> find_fragments(const State<Dim>& state, const parallel::World& world);
+Fragments<Dim> find_fragments(const State<Dim>& state, const parallel::World& world,
+                              Connected how = Connected::by_matter);
 
 }  // namespace recoil

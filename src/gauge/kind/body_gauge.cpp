@@ -10,11 +10,16 @@ template <int Dim>
 class BodyWatch : public GaugeWatch<Dim> {
  public:
   BodyWatch(const config::BodyGauge& from, const WatchSetup<Dim>& setup)
-      : body_(body_number(setup.state, from.body)) {}
+      : body_(body_number(setup.state, from.body)) {
+    for_each_part(setup.state, body_, [&](int m) {
+      if (m != body_) fragments_.push_back(m);
+    });
+  }
 
   bool needs_totals() const override { return true; }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
-    const BodyTotals<Dim>& b = reading.totals->bodies[body_];
+    BodyTotals<Dim> b = reading.totals->bodies[body_];
+    for (const int m : fragments_) b += reading.totals->bodies[m];
     const double whole = reading.units.whole;
     append(row, b.momentum * (1 / b.mass));
     append(row, b.place * (1 / b.mass));
@@ -26,6 +31,7 @@ class BodyWatch : public GaugeWatch<Dim> {
 
  private:
   int body_;
+  std::vector<int> fragments_;  // bodies that take up fragments of it
 };
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -19,13 +20,15 @@ class FragmentsWatch : public GaugeWatch<Dim> {
   void collect(const State<Dim>& state, const parallel::World& world, bool /*at_rest*/,
                ExactSums& /*sums*/) override {
     found_ = find_fragments(state, world).list;
+    parts_.clear();
+    for_each_part(state, body_, [&](int m) { parts_.push_back(m); });
   }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
     double count = 0, small_count = 0, small = 0, rubble = 0;
     const Fragment<Dim>* heaviest = nullptr;
     for (const Fragment<Dim>& f : found_) {
-      if (f.body != body_) continue;
-      if (heaviest == nullptr && f.piece) heaviest = &f;
+      if (std::ranges::find(parts_, f.body) == parts_.end()) continue;
+      if (f.piece && (heaviest == nullptr || f.mass > heaviest->mass)) heaviest = &f;
       if (!f.piece)
         rubble += f.mass;
       else if (f.diameter < small_)
@@ -42,7 +45,8 @@ class FragmentsWatch : public GaugeWatch<Dim> {
 
  private:
   int body_;
-  double small_;  // m
+  std::vector<int> parts_;  // it, and the bodies that take up its fragments
+  double small_;            // m
   std::vector<Fragment<Dim>> found_;
 };
 

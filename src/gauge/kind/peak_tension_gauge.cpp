@@ -38,9 +38,11 @@ class PeakTensionWatch : public GaugeWatch<Dim> {
   void collect(const State<Dim>& state, const parallel::World& world, bool /*at_rest*/,
                ExactSums& /*sums*/) override {
     Both now;
-    const Body<Dim>& body = state.bodies[body_];
-    for (int slot = 0; slot < state.mesh.local() && !body.rigid; ++slot)
-      if (body.present(slot)) look_at_block(state, body, slot, now);
+    for_each_part(state, body_, [&](int m) {
+      const Body<Dim>& body = state.bodies[m];
+      for (int slot = 0; slot < state.mesh.local() && !body.rigid; ++slot)
+        if (body.present(slot)) look_at_block(state, body, slot, now);
+    });
     parallel::Bytes bytes;
     parallel::pack(bytes, now);
     for (const auto& from : world.gather(bytes)) {

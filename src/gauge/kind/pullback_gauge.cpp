@@ -61,19 +61,23 @@ class PullbackWatch : public GaugeWatch<Dim> {
   void look_for_failed(const State<Dim>& state, ExactSums& sums) const {
     if (point_.normal == Vec<Dim>{}) return;
     const Grid<Dim>& grid = state.grid();
-    const Body<Dim>& body = state.bodies[point_.body];
     double length = 0;
     for (int d = 0; d < Dim; ++d) length += grid.cells[d] * grid.dx;
     for (int n = 0; n * grid.dx < length; ++n) {
       const Vec<Dim> x = point_.at - (n + 0.5) * grid.dx * point_.normal;
       const int slot = state.mesh.find(x);
-      if (slot < 0 || slot >= state.mesh.local() || !body.present(slot)) continue;
+      if (slot < 0 || slot >= state.mesh.local()) continue;
       const Grid<Dim>& own = state.grid(slot);
-      const BodyBlock<Dim>& b = body.at(slot);
       const Index<Dim> i = own.cell_of(x);
       const auto k = static_cast<std::size_t>(own.layout().at(i - state.mesh.block(slot).cells.lo));
-      const double failed = b.contents[Components<Dim>::damage * b.volume.size() + k];
-      if (!(failed > 0 && failed >= failed_damage * b.contents[k])) continue;
+      bool failed = false;
+      for_each_part(state, point_.body, [&](int m) {
+        if (!state.bodies[m].present(slot)) return;
+        const BodyBlock<Dim>& b = state.bodies[m].at(slot);
+        const double damage = b.contents[Components<Dim>::damage * b.volume.size() + k];
+        failed = failed || (damage > 0 && damage >= failed_damage * b.contents[k]);
+      });
+      if (!failed) continue;
       const double near = std::max(0.0, dot(point_.at - own.centre(i), point_.normal) - 0.5 * own.dx);
       sums.add(scab_item_).raise(0, -near);
     }

@@ -23,9 +23,11 @@ class ResidualWatch : public GaugeWatch<Dim> {
 
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool /*at_rest*/,
                ExactSums& sums) override {
-    const Body<Dim>& body = state.bodies[body_];
-    for (int slot = 0; slot < state.mesh.local() && !body.rigid; ++slot)
-      if (body.present(slot)) add_block(state, body.at(slot), slot, sums);
+    for_each_part(state, body_, [&](int m) {
+      const Body<Dim>& body = state.bodies[m];
+      for (int slot = 0; slot < state.mesh.local() && !body.rigid; ++slot)
+        if (body.present(slot)) add_block(state, body.at(slot), slot, sums);
+    });
   }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
     const auto total = reading.sums.total(item_);

@@ -69,7 +69,7 @@ template <int Dim>
 void BudgetWatch<Dim>::judge(std::size_t l, const Sums& s) {
   Line& line = lines_[l];
   line.most_speed = std::max(line.most_speed, s.speed);
-  const double mass = std::abs(line.start.mass);
+  const double mass = line.start.mass != 0 ? std::abs(line.start.mass) : line.most_mass;
   const double speed = std::max({line.most_speed, least_part * lines_[0].most_speed, least_speed * mass}),
                energy = std::max(
                    {line.most_energy, least_part * lines_[0].most_energy, least_speed * least_speed * mass});
@@ -96,6 +96,7 @@ void BudgetWatch<Dim>::look(const Totals<Dim>& t) {
   for (std::size_t l = 1; l < lines_.size(); ++l) {
     const double energy = t.bodies[body_[l]].energy;
     lines_[l].most_energy = std::max(lines_[l].most_energy, std::abs(energy));
+    lines_[l].most_mass = std::max(lines_[l].most_mass, t.bodies[body_[l]].mass);
     all += energy;
   }
   lines_[0].most_energy = std::max(lines_[0].most_energy, std::abs(all));

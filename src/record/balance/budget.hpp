@@ -44,7 +44,8 @@ class BudgetWatch {
 
   /// The largest errors at any look so far, `total` first, then each deformable body. A body that holds less
   /// than 1e-4 of the energy, or of the motion, of all bodies is measured with so much of theirs, and one
-  /// slower than 0.1 m/s as if it moved so fast: what is but round-off is no error of its own.
+  /// slower than 0.1 m/s as if it moved so fast: what is but round-off is no error of its own. One that began
+  /// empty is measured with the largest mass that it has held.
   const std::vector<Drift>& worst() const { return worst_; }
   /// Those of the last look.
   const std::vector<Drift>& now() const { return now_; }
@@ -66,7 +67,7 @@ class BudgetWatch {
   };
   struct Line {
     Sums start;
-    double most_speed = 0, most_energy = 0;                       // scales so far
+    double most_mass = 0, most_speed = 0, most_energy = 0;        // scales so far
     double mass_error = 0, momentum_error = 0, energy_error = 0;  // largest so far, absolute
   };
   Sums owed(const Totals<Dim>& totals, int body) const;
