@@ -46,7 +46,7 @@ def read_table(path):
             names=list(names),
             index_col=False,
             keep_default_na=False,
-            na_values=["nan"],
+            na_values=["nan", "-nan"],
             float_precision="round_trip",
         )
     except ValueError as error:

@@ -138,11 +138,13 @@ double largest_closing_speed(const Case& c) {
   };
   double largest = 0;
   for (const Body& a : c.bodies)
-    for (const Body& b : c.bodies)
+    for (const Body& b : c.bodies) {
+      if (a.takes_up_fragments() || b.takes_up_fragments()) continue;  // they begin empty
       for (const Vector& u : velocities_of(a))
         for (const Vector& v : velocities_of(b))
           largest = std::max(largest, std::hypot(u[0] - v[0], u[1] - v[1], u[2] - v[2]) +
                                           std::abs(a.radial_velocity) + std::abs(b.radial_velocity));
+    }
   return largest;
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "config/declare/read_struct.hpp"
 #include "config/expected_columns.hpp"
@@ -38,6 +40,25 @@ void check_contact_of_scheme(const Case& c, const Node& root, Diagnostics& out) 
             "use scheme = \"conservative\"");
 }
 
+/// Between a body that takes up fragments and others holds what the case says of the two; else what it says
+/// of the body that breaks.
+void follow_contact_of_sources(Case& c) {
+  const auto source = [&c](const Body& b) { return b.takes_up_fragments() ? b.fragments_of : b.name; };
+  const std::vector<Contact::Pair> given = c.contact.pairs;
+  const auto same = [](const Contact::Pair& p, const std::string& a, const std::string& b) {
+    return (p.bodies[0] == a && p.bodies[1] == b) || (p.bodies[0] == b && p.bodies[1] == a);
+  };
+  for (std::size_t a = 0; a < c.bodies.size(); ++a)
+    for (std::size_t b = a + 1; b < c.bodies.size(); ++b) {
+      const Body &first = c.bodies[a], &second = c.bodies[b];
+      const auto named = [&](const Contact::Pair& p) { return same(p, first.name, second.name); };
+      const auto of_sources = [&](const Contact::Pair& p) { return same(p, source(first), source(second)); };
+      if (std::ranges::any_of(given, named)) continue;
+      const auto from = std::ranges::find_if(given, of_sources);
+      if (from != given.end()) c.contact.pairs.push_back({{first.name, second.name}, from->choice});
+    }
+}
+
 }  // namespace
 
 Case read_case(const Document& document, Diagnostics& out) {
@@ -58,6 +79,7 @@ Case read_case(const Document& document, Diagnostics& out) {
   const Record top = read_struct(document.root, c, in);
   read_parts(document.root, c, in, top);
   if (!in.knows_bodies) return c;
+  follow_contact_of_sources(c);
   check_contact_of_scheme(c, document.root, out);
   check_expected_names(c.expect, c.bodies, c.gauges, out);
   return c;

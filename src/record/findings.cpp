@@ -88,8 +88,9 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
     q.numbers[name + ".volume"] = units.whole * b.volume;
     q.numbers[name + ".plastic-strain"] = b.plastic_strain;
     q.numbers[name + ".failed-mass"] = units.whole * b.failed;
-    add_vector(q, units, name + ".velocity", b.momentum, 1 / b.mass);
-    add_vector(q, units, name + ".position", b.place, 1 / b.mass);
+    const double per_mass = b.mass > 0 ? 1 / b.mass : std::numeric_limits<double>::quiet_NaN();
+    add_vector(q, units, name + ".velocity", b.momentum, per_mass);
+    add_vector(q, units, name + ".position", b.place, per_mass);
     add_vector(q, units, name + ".lowest", b.lowest);
     add_vector(q, units, name + ".highest", b.highest);
     all.mass += b.mass, all.kinetic += b.kinetic, all.energy += b.energy, all.momentum += b.momentum;

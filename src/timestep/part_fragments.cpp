@@ -74,7 +74,12 @@ std::int64_t choose_bodies(const std::vector<Fragment<Dim>>& list, const Fragmen
       return false;
     };
     if (!taken(f.body)) continue;
-    const auto other = std::ranges::find_if(bodies, [&](int body) { return !taken(body); });
+    const auto holds_any_near = [&](int body) {
+      return std::ranges::any_of(
+          pieces, [&](std::size_t q) { return body_of[q] == body && are_near(list[q], f, dx); });
+    };
+    auto other = std::ranges::find_if(bodies, [&](int body) { return !holds_any_near(body); });
+    if (other == bodies.end()) other = std::ranges::find_if(bodies, [&](int body) { return !taken(body); });
     if (other != bodies.end())
       body_of[pieces[p]] = *other;
     else
@@ -251,15 +256,30 @@ struct Choice {
   }
 };
 
+/// A fragment does not go where another one leaves in the same look: in cells that both cut, what it brings
+/// would be taken for the other's. It goes at the next look.
+template <int Dim>
+void put_off(const std::vector<Fragment<Dim>>& list, Choice& choice) {
+  std::set<std::pair<int, int>> ways;
+  for (std::size_t k = 0; k < list.size(); ++k)
+    if (list[k].body != choice.body_of[k]) ways.emplace(list[k].body, choice.body_of[k]);
+  const auto is_left = [&](int body) {
+    return std::ranges::any_of(ways, [&](const auto& way) { return way.first == body; });
+  };
+  for (const auto& way : ways)
+    if (!is_left(way.second)) choice.ways.push_back(way);
+  if (choice.ways.empty() && !ways.empty()) choice.ways.push_back(*ways.begin());  // they change places
+  for (std::size_t k = 0; k < list.size(); ++k)
+    if (std::ranges::find(choice.ways, std::pair(list[k].body, choice.body_of[k])) == choice.ways.end())
+      choice.body_of[k] = list[k].body;
+}
+
 template <int Dim>
 Choice choose(const std::vector<Fragment<Dim>>& list, const std::vector<FragmentBodies>& all, double dx) {
   Choice choice;
   for (const Fragment<Dim>& f : list) choice.body_of.push_back(f.body);
   for (const FragmentBodies& bodies : all) choice.without += choose_bodies(list, bodies, dx, choice.body_of);
-  std::set<std::pair<int, int>> ways;
-  for (std::size_t k = 0; k < list.size(); ++k)
-    if (list[k].body != choice.body_of[k]) ways.emplace(list[k].body, choice.body_of[k]);
-  choice.ways.assign(ways.begin(), ways.end());
+  put_off(list, choice);
   return choice;
 }
 

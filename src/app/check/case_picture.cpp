@@ -86,7 +86,8 @@ Canvas plane_of_case(const config::Case& c, PictureFormat format) {
   picture.title = c.title;
   picture.note = "at the start";
   for (std::size_t m = 0; m < c.bodies.size(); ++m)
-    picture.categories.push_back({static_cast<double>(m + 1), c.bodies[m].name, area_colour(m)});
+    if (!c.bodies[m].takes_up_fragments())
+      picture.categories.push_back({static_cast<double>(m + 1), c.bodies[m].name, area_colour(m)});
   picture.detail = format == PictureFormat::png ? 1 : 2;
   picture.mirror = c.domain.geometry == config::Geometry::axisymmetric;
   picture.x_title = axes[0] + " [mm]";

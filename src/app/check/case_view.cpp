@@ -107,7 +107,8 @@ void add_marks(SpacePicture& p, const config::Case& c, const SpaceRays& rays) {
   }
   std::string hidden;
   for (std::size_t m = 0; m < seen.size(); ++m)
-    if (seen[m].rays == 0) hidden += (hidden.empty() ? "; not seen: " : ", ") + c.bodies[m].name;
+    if (seen[m].rays == 0 && !c.bodies[m].takes_up_fragments())
+      hidden += (hidden.empty() ? "; not seen: " : ", ") + c.bodies[m].name;
   p.note += hidden;
   for (const GaugePlace& g : gauge_places(c))
     p.marks.push_back({config::first_components<3>(g.at), {}, g.name});
@@ -122,7 +123,8 @@ CaseView view_of_all_bodies(const config::Case& c, const std::string& up, const 
     return v;
   };
   CaseView best = seen_as("");
-  const double all = enough * static_cast<double>(c.bodies.size());
+  const auto bodies = std::ranges::count_if(c.bodies, [](const auto& b) { return !b.takes_up_fragments(); });
+  const double all = enough * static_cast<double>(bodies);
   double most = how_much_is_seen(c, best);
   for (const char* text : {"35deg,24deg", "125deg,24deg", "-145deg,24deg", "-55deg,-24deg", "35deg,-24deg",
                            "125deg,-24deg", "-145deg,-24deg"}) {
@@ -143,7 +145,8 @@ Canvas view_of_case(const config::Case& c, const CaseView& v) {
   add_marks(p, c, rays);
   ColourChoice choice;
   for (std::size_t m = 0; m < c.bodies.size(); ++m)
-    choice.categories.push_back({static_cast<double>(m + 1), c.bodies[m].name, area_colour(m)});
+    if (!c.bodies[m].takes_up_fragments())
+      choice.categories.push_back({static_cast<double>(m + 1), c.bodies[m].name, area_colour(m)});
   return space_picture(p, rays, colours_of(rays.values(), choice));
 }
 

@@ -74,6 +74,10 @@ void check_place(const Gauge& g, const Kind& kind, LoadedCase& loaded) {
   const auto body =
       std::find_if(c.bodies.begin(), c.bodies.end(), [&](const Body& b) { return b.name == kind.body; });
   if (body == c.bodies.end()) return;
+  if (body->takes_up_fragments())
+    return loaded.found.error(
+        g.place, fmt::format("gauge '{}' measures '{}', which begins empty", g.name, kind.body),
+        fmt::format("measure '{}': its gauges count its fragments", body->fragments_of));
   const auto distance = signed_distance<Dim>(body->shape, c.domain);
   const Vec<Dim> at = config::first_components<Dim>(kind.at);
   const double away = distance(at);

@@ -59,7 +59,7 @@ void check_unused(LoadedCase& loaded) {
 void check_starting_states(LoadedCase& loaded) {
   for (std::size_t m = 0; m < loaded.materials.size(); ++m) {
     const config::Body& body = loaded.contents.bodies[m];
-    if (body.rigid || !(body.pressure || body.temperature)) continue;
+    if (body.rigid || body.takes_up_fragments() || !(body.pressure || body.temperature)) continue;
     try {
       state_at_start(loaded.materials[m], body.pressure, body.temperature, body.name);
     } catch (const InputError& e) {

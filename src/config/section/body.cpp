@@ -125,6 +125,8 @@ void check_shape(Body& body, const TableReading& reading) {
     return;
   }
   body.shape.form = Union{};
+  if (reading.good("fragments-of") && body.fragments_of.empty())
+    reading.wrong("fragments-of", "the body that breaks has no name", R"(e.g. fragments-of = "target")");
   for (const Key& key : reading.keys)
     if (key.name != "fragments-of" && reading.has(key.name))
       reading.refuse(
@@ -182,6 +184,7 @@ void check_state(const Body& body, const TableReading& reading) {
 
 bool turns(const Body& b) { return b.spin != Vector{}; }
 bool is_free(const Body& b) { return b.mass > 0; }
+bool has_start(const Body& b) { return !b.takes_up_fragments(); }
 
 /// The geometries in which bodies turn.
 std::vector<Geometry> turning() { return {Geometry::planar, Geometry::space}; }
@@ -234,7 +237,8 @@ Entries<Body> keys_of_state() {
        .optional = true,
        .doc =
            "at the start, uniform, without shear stress; of a gas measured from that at rest; without it 0",
-       .example = R"("1 GPa")"},
+       .example = R"("1 GPa")",
+       .when = [](const Body& b) { return b.pressure && has_start(b); }},
       {.name = "temperature",
        .member = &Body::temperature,
        .unit = "K",
@@ -242,7 +246,8 @@ Entries<Body> keys_of_state() {
        .optional = true,
        .doc = "at the start, uniform: density and energy are those of matter of this temperature at the "
               "pressure of the start; without it the material's initial-temperature",
-       .example = R"("500 K")"},
+       .example = R"("500 K")",
+       .when = [](const Body& b) { return b.temperature && has_start(b); }},
       {.name = "detonation",
        .member = custom_detonation(),
        .doc = "lights an explosive, a material with an equation of state of kind \"jwl\"",
@@ -257,7 +262,7 @@ Entries<Body> keys_of_start() {
        .member = custom_shape(),
        .doc = "where it is at the start; every body needs one but those with fragments-of",
        .example = R"({ kind = "sphere", radius = "5 mm" })",
-       .when = [](const Body& b) { return !b.takes_up_fragments(); }},
+       .when = has_start},
       {.name = "fragments-of",
        .member = &Body::fragments_of,
        .optional = true,

@@ -21,8 +21,9 @@ class BodyWatch : public GaugeWatch<Dim> {
     BodyTotals<Dim> b = reading.totals->bodies[body_];
     for (const int m : fragments_) b += reading.totals->bodies[m];
     const double whole = reading.units.whole;
-    append(row, b.momentum * (1 / b.mass));
-    append(row, b.place * (1 / b.mass));
+    const double per_mass = b.mass > 0 ? 1 / b.mass : nothing;  // of an empty body
+    append(row, b.momentum * per_mass);
+    append(row, b.place * per_mass);
     append(row, b.lowest);
     append(row, b.highest);
     row.insert(row.end(),

@@ -27,7 +27,7 @@ template <int Dim>
 void CentreWatch<Dim>::begin(const Totals<Dim>& t) {
   time_ = t.time;
   for (std::size_t l = 0; l < lines_.size(); ++l)
-    lines_[l] = {t.bodies[body_[l]].mass, place_of(t, l), t.bodies[body_[l]].momentum, {}, {}, 0};
+    lines_[l] = {t.bodies[body_[l]].mass, 0, place_of(t, l), t.bodies[body_[l]].momentum, {}, {}, 0};
 }
 
 template <int Dim>
@@ -47,8 +47,10 @@ void CentreWatch<Dim>::look(const Totals<Dim>& t) {
     line.carried += step, line.way += norm(step);
     line.momentum = p;
     CentreOff& worst = worst_[l];
-    const double distance = line.mass > 0 ? norm(missing) / line.mass : 0;
-    if (distance > worst.off) worst = {worst.name, distance, line.way / line.mass, t.time};
+    line.most_mass = std::max(line.most_mass, t.bodies[body_[l]].mass);
+    const double mass = line.mass > 0 ? line.mass : line.most_mass;
+    const double distance = mass > 0 ? norm(missing) / mass : 0;
+    if (distance > worst.off) worst = {worst.name, distance, line.way / mass, t.time};
   }
 }
 

@@ -50,6 +50,7 @@ class CentreWatch {
  private:
   struct Line {
     double mass = 0;              // kg, at the start
+    double most_mass = 0;         // kg, so far: counts where the body began empty
     Vec<Dim> start;               // kg m, sum of m x there
     Vec<Dim> momentum;            // at the last look
     Vec<Dim> carried, uncertain;  // kg m, since the start

@@ -130,6 +130,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{16, "", 14, 7, "'shape' is missing in [body.target]", "kind"},
         Mistake{20, "at = { x = \"1 mm\" }\n[body.a]\nfragments-of = \"flier\"", 22, 16,
                 "there is no body 'flier'", "did you mean 'flyer'?"},
+        Mistake{20, "at = { x = \"1 mm\" }\n[body.a]\nfragments-of = \"\"", 22, 16,
+                "the body that breaks has no name", "target"},
         Mistake{20, "at = { x = \"1 mm\" }\n[body.a]\nfragments-of = \"target\"", 22, 16,
                 "'a' cannot take up fragments of 'target'", "a rigid body does not break"},
         Mistake{20, "at = { x = \"1 mm\" }\n[body.a]\nfragments-of = \"flyer\"\nmaterial = \"steel/hzb\"", 23,

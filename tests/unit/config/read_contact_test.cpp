@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "config/read_case.hpp"
 
@@ -58,6 +59,21 @@ TEST(ReadContact, PairsDifferFromTheDefaultInEitherOrder) {
   EXPECT_EQ(c.contact.between("floor", "block").mode, bonded);
   EXPECT_EQ(c.contact.between("block", "ram").mode, friction);
   EXPECT_EQ(c.contact.between("block", "ram").friction, 0.2);
+}
+
+/// What takes up fragments touches others as the body that breaks does, and its fragments by the default.
+TEST(ReadContact, FragmentsFollowTheirSource) {
+  Diagnostics out;
+  const Case c = read(
+      "[body.chip]\nfragments-of = \"block\"\n[body.dust]\nfragments-of = \"block\"\n"
+      "[contact.pairs]\nblock-floor = { mode = \"bonded\" }\n"
+      "floor-dust = { mode = \"friction\", friction = 0.1 }\n",
+      out);
+  ASSERT_FALSE(out.has_errors()) << out.text();
+  EXPECT_EQ(c.contact.between("chip", "floor").mode, bonded);
+  EXPECT_EQ(c.contact.between("dust", "floor").mode, friction);
+  for (const auto& [a, b] : {std::pair("chip", "block"), {"chip", "dust"}, {"dust", "ram"}})
+    EXPECT_EQ(c.contact.between(a, b).mode, separable) << a << b;
 }
 
 TEST(ReadContact, AFreeRigidBodyHasAMassAndTurnsAboutItsCentre) {

@@ -150,5 +150,34 @@ TEST(PartFragments, StayTogetherWhereTheyAreFarOrTooMany) {
   EXPECT_TRUE(part_fragments(none.state, none.engine).empty());
 }
 
+/// A fragment goes to an empty body before it drives another one out of a body, and not to one that is just
+/// being left: cells that both cut would go along.
+TEST(PartFragments, OneMoveAtATime) {
+  const auto domain = domain_of(Geometry::line, {-8 * mm}, {8 * mm});
+  auto bodies = two_pieces(box_shape({-6 * mm}, {-3 * mm}), box_shape({-2.7 * mm}, {-0.2 * mm}));
+  const config::Shape four{
+      config::Union{{box_shape({-6 * mm}, {-3 * mm}), box_shape({-2.7 * mm}, {-0.2 * mm}),
+                     box_shape({0.1 * mm}, {2.1 * mm}), box_shape({2.4 * mm}, {3.9 * mm})}}};
+  bodies[0].shape = four;
+  bodies.push_back(bodies[1]);
+  bodies[2].name = "another";
+  TestRun<1> run(case_of(domain, 0.1 * mm, bodies),
+                 {samples::copper(), samples::copper(), samples::copper()});
+  const double mass = run.totals(0)[0];
+  const auto moved = part_fragments(run.state, run.engine);
+  // From the heaviest on: it stays, the second goes, the third and the fourth alternate.
+  ASSERT_EQ(moved.size(), 2U);
+  for (const auto& f : moved) EXPECT_EQ(f.from, 0);
+  EXPECT_NE(moved[0].to, 0);
+  double sum = 0;
+  for (const int m : {0, 1, 2}) {
+    sum += run.totals(m)[0];
+    const double pieces = run.totals(m)[0] / mass * 9;  // mm
+    EXPECT_NEAR(pieces, std::round(pieces * 2) / 2, 1e-9) << "whole pieces";
+  }
+  EXPECT_NEAR(sum, mass, 1e-12 * mass);
+  EXPECT_TRUE(part_fragments(run.state, run.engine).empty()) << "all are apart";
+}
+
 }  // namespace
 }  // namespace recoil
