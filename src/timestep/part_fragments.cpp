@@ -49,7 +49,7 @@ std::vector<FragmentBodies> fragment_bodies(const State<Dim>& state) {
   for (int m = 0; m < state.count(); ++m) {
     FragmentBodies bodies;
     for_each_part(state, m, [&](int part) { bodies.push_back(part); });
-    std::ranges::stable_partition(bodies, [&](int part) { return part == m; });
+    std::stable_partition(bodies.begin(), bodies.end(), [&](int part) { return part == m; });
     if (bodies.size() > 1) all.push_back(std::move(bodies));
   }
   return all;
@@ -303,8 +303,8 @@ Choice shared_choice(const parallel::World& world, const Fragments<Dim>& fragmen
 }  // namespace
 
 template <int Dim>
-std::vector<PartedFragment<Dim>> part_fragments(State<Dim>& state, Engine& engine) {
-  std::vector<PartedFragment<Dim>> moved;
+PartedFragments<Dim> part_fragments(State<Dim>& state, Engine& engine) {
+  PartedFragments<Dim> moved;
   const std::vector<FragmentBodies> all = fragment_bodies(state);
   if (all.empty() || state.step % steps_between != 0) return moved;
   const Fragments<Dim> fragments = find_fragments(state, engine.world, Connected::by_level_set);
@@ -322,8 +322,7 @@ std::vector<PartedFragment<Dim>> part_fragments(State<Dim>& state, Engine& engin
   return moved;
 }
 
-#define RECOIL_INSTANTIATE(Dim) \
-  template std::vector<PartedFragment<Dim>> part_fragments<Dim>(State<Dim>&, Engine&);
+#define RECOIL_INSTANTIATE(Dim) template PartedFragments<Dim> part_fragments<Dim>(State<Dim>&, Engine&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

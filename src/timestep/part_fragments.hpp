@@ -14,6 +14,9 @@ struct PartedFragment {
   Vec<Dim> position;     // m, centre of mass
 };
 
+template <int Dim>
+using PartedFragments = std::vector<PartedFragment<Dim>>;
+
 /// Gives fragments of a body that are near each other to different bodies (Body::fragments_of), so that they
 /// have level sets of their own and touch and slide where they meet, instead of welding. A fragment is what
 /// the level set has parted, with 4^Dim cells or more and with matter that has not failed; two are near where
@@ -24,6 +27,6 @@ struct PartedFragment {
 /// leaves through the edges of the domain is. To be called between steps; looks at every fourth step.
 /// @returns the fragments that have moved, on rank 0. Collective.
 template <int Dim>
-std::vector<PartedFragment<Dim>> part_fragments(State<Dim>& state, Engine& engine);
+PartedFragments<Dim> part_fragments(State<Dim>& state, Engine& engine);
 
 }  // namespace recoil
