@@ -16,12 +16,11 @@ constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 /// Places of mass, moments and second moments of a part in a row; the whole has its motion behind them.
 enum : std::size_t { mass, x, y, xx, xy, yy, part_sums, px = part_sums, py, turning, whole_sums };
 
-/// All fragments of a body in this rank's blocks: f(mass, place, momentum), the last two in the plane. A
-/// fragment of a cut cell counts at the middle of the cell.
+/// All fragments of cells of one body in this rank's blocks: f(mass, place, momentum), the last two in the
+/// plane. A fragment of a cut cell counts at the middle of the cell.
 template <int Dim, class F>
-void for_each_fragment(const State<Dim>& state, int m, F&& f) {
+void for_each_cell_of(const State<Dim>& state, const Body<Dim>& body, F&& f) {
   using C = Components<Dim>;
-  const Body<Dim>& body = state.bodies[m];
   for (int slot = 0; slot < state.mesh.local() && Dim > 1; ++slot) {
     if (body.rigid || !body.present(slot)) continue;
     const BodyBlock<Dim>& b = body.at(slot);
@@ -35,6 +34,12 @@ void for_each_fragment(const State<Dim>& state, int m, F&& f) {
         Plane{b.contents[C::u * n + k], b.contents[(C::u + (Dim > 1 ? 1 : 0)) * n + k]});
     });
   }
+}
+
+/// Those of a body, and of what other bodies have taken up of it.
+template <int Dim, class F>
+void for_each_fragment(const State<Dim>& state, int body, F&& f) {
+  for_each_part(state, body, [&](int m) { for_each_cell_of(state, state.bodies[m], f); });
 }
 
 /// Brings the places of a body that reaches across a periodic edge to one side of it, about a middle.
