@@ -305,8 +305,9 @@ Choice shared_choice(const parallel::World& world, const Fragments<Dim>& fragmen
 template <int Dim>
 PartedFragments<Dim> part_fragments(State<Dim>& state, Engine& engine) {
   PartedFragments<Dim> moved;
+  const bool any = std::ranges::any_of(state.bodies, [](const auto& body) { return body.fragments_of >= 0; });
+  if (!any || state.step % steps_between != 0) return moved;
   const std::vector<FragmentBodies> all = fragment_bodies(state);
-  if (all.empty() || state.step % steps_between != 0) return moved;
   const Fragments<Dim> fragments = find_fragments(state, engine.world, Connected::by_level_set);
   const Choice choice = shared_choice(engine.world, fragments, all, state.grid().dx);
   if (engine.world.rank() == 0 && !state.ledger.empty())
