@@ -63,6 +63,14 @@ std::vector<bool> without_cells(const State<Dim>& state) {
   return rigid;
 }
 
+/// Body::fragments_of of all.
+template <int Dim>
+std::vector<int> sources_of_fragments(const State<Dim>& state) {
+  std::vector<int> sources;
+  for (const auto& body : state.bodies) sources.push_back(body.fragments_of);
+  return sources;
+}
+
 inline std::array<bool, 3> closed_axes(const config::Domain& domain) {
   std::array<bool, 3> closed{};
   for (std::size_t d = 0; d < 3; ++d)
@@ -187,7 +195,7 @@ struct Recorder<Dim>::Parts {
         events(names, c.domain.geometry, contact_rule(state, c.method), closed_axes(c.domain)),
         lift_off(contact_rule(state, c.method).hold),
         budget(names, rigid, units.balanced),
-        centre(names, without_cells(state), units.balanced),
+        centre(names, without_cells(state), units.balanced, sources_of_fragments(state)),
         fields(make_folder("fields"), case_name(c), c.output.fields.variables),
         fragments(names, without_cells(state), units),
         survey(state, c.limits, config::largest_closing_speed(c), starts_over_isentropes(c, state)),

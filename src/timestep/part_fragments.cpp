@@ -117,7 +117,7 @@ struct Change {
   std::vector<std::uint8_t> touches;     // whether records of contact go with the fragment
 };
 
-/// One fragment after the other would do; all that go from one body to another go at once.
+/// Moves all fragments that go from one body to another.
 template <int Dim>
 class Parting {
  public:

@@ -29,9 +29,10 @@ template <int Dim>
 class CentreWatch {
  public:
   /// @param names of all bodies; @param rigid which of them are not looked at; @param balanced the axes that
-  /// count.
+  /// count; @param fragments_of Body::fragments_of: a body is looked at together with what others have taken
+  /// up of it. Empty: none has.
   CentreWatch(const std::vector<std::string>& names, const std::vector<bool>& rigid,
-              std::vector<bool> balanced);
+              std::vector<bool> balanced, const std::vector<int>& fragments_of = {});
 
   void begin(const Totals<Dim>& start);
   /// Between two looks momentum is taken as linear in time. What it could carry further by a change at the
@@ -50,16 +51,20 @@ class CentreWatch {
  private:
   struct Line {
     double mass = 0;              // kg, at the start
-    double most_mass = 0;         // kg, so far: counts where the body began empty
     Vec<Dim> start;               // kg m, sum of m x there
     Vec<Dim> momentum;            // at the last look
     Vec<Dim> carried, uncertain;  // kg m, since the start
     double way = 0;               // kg m
   };
-  Vec<Dim> place_of(const Totals<Dim>& totals, std::size_t line) const;
+  /// Mass, mass times place (with that of what has left) and momentum of all bodies of a line.
+  struct Sums {
+    double mass = 0;
+    Vec<Dim> place, momentum;
+  };
+  Sums sums_of(const Totals<Dim>& totals, std::size_t line) const;
 
   std::vector<bool> balanced_;
-  std::vector<std::size_t> body_;  // of each line
+  std::vector<std::vector<std::size_t>> bodies_;  // of each line
   double time_ = 0;
   std::vector<Line> lines_;
   std::vector<CentreOff> worst_;

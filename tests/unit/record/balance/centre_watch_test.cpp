@@ -85,6 +85,23 @@ TEST(CentreWatch, WhatLeavesThroughEdgesTakesItsPlaceAlong) {
   EXPECT_NEAR(w.worst()[0].off, 0, 1e-14);
 }
 
+/// A quarter of the body goes to another one that takes up its fragments, and stands still there.
+TEST(CentreWatch, FragmentsCountWithTheirSource) {
+  CentreWatch<2> w({"ball", "chip"}, {false, false}, {true, true}, {-1, 0});
+  w.begin(start());
+  ASSERT_EQ(w.worst().size(), 1U);
+  Totals<2> t = start();
+  t.time = 1;
+  t.bodies[0].mass = 1.5, t.bodies[0].momentum = {{15, 0}}, t.bodies[0].place = {{1.5 * 11, 0}};
+  t.bodies[1].mass = 0.5, t.bodies[1].momentum = {{5, 0}}, t.bodies[1].place = {{0.5 * 11, 0}};
+  w.look(t);
+  EXPECT_NEAR(w.worst()[0].off, 0, 1e-14);
+  t.time = 2;
+  t.bodies[0].place = {{1.5 * 21, 0}};
+  w.look(t);
+  EXPECT_NEAR(w.worst()[0].off, 2.5, 1e-14);
+}
+
 TEST(CentreWatch, PeriodicAxesAndRadiiDoNotCount) {
   auto periodic = watch();
   Totals<2> t = start();
