@@ -94,6 +94,15 @@ double shared_area(const BlockStage<Dim>& a, const Side<Dim>& first, const Side<
   return std::min(dot(first.rest, e), -dot(second.rest, e));
 }
 
+/// Where two surfaces of a cell meet, in whatever order they are named: half way between their surface points;
+/// at that of the one which can be deformed where the other is rigid.
+template <int Dim>
+Vec<Dim> meeting_point(const Side<Dim>& one, const Side<Dim>& other) {
+  if (other.rigid) return one.cut->point;
+  if (one.rigid) return other.cut->point;
+  return 0.5 * (one.cut->point + other.cut->point);
+}
+
 /// Adds a contact to the list of the block.
 template <int Dim>
 void note(const BlockStage<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, const Touch& t,
@@ -103,7 +112,7 @@ void note(const BlockStage<Dim>& a, const Side<Dim>& first, const Side<Dim>& sec
                                              .second = second.body,
                                              .one_sided = false,
                                              .direction = e,
-                                             .point = first.cut->point,
+                                             .point = meeting_point(first, second),
                                              .area = area,
                                              .traction = t.traction,
                                              .shear = g.traction,
@@ -210,7 +219,7 @@ void touch_all(const BlockStage<Dim>& a, Cluster<Dim>& c) {
       const Side<Dim>&one = c.side[m], &other = c.side[q];
       if (one.rigid && other.rigid) continue;
       const bool swap = one.rigid;
-      const Vec<Dim>& x = (swap ? other : one).cut->point;
+      const Vec<Dim> x = meeting_point(one, other);
       const double gap = a.view.distance(one.body, x) + a.view.distance(other.body, x);
       if (!(gap <= touching_gap * a.view.dx())) continue;
       std::size_t at = n++;  // after those with the same gap
