@@ -236,7 +236,8 @@ void move_fit(const EosModel& eos, const Grid<Dim>& grid, const Body<Dim>& body,
   const auto& matter = frozen(eos, w[C::crushed]);
   const double c2 =
       std::max(matter.sound_speed_squared(w[C::rho], w[C::p]), least_wall_sound_squared(matter));
-  const Response m{w[C::rho] * c2, g, g > 0 && working > 0 ? loading_of(body, w) : 0};
+  const bool unstressed = equivalent_stress_squared<Dim>(w.data() + C::s, 1) == 0;
+  const Response m{w[C::rho] * c2, g, g > 0 && (working > 0 || unstressed) ? loading_of(body, w) : 0};
   Primitives<Dim> rate{};
   for_each_axis<Dim>([&](auto d) {
     const auto along = rate_along<Dim, d>(w, slope[d], w[C::u + d], m);
@@ -246,6 +247,7 @@ void move_fit(const EosModel& eos, const Grid<Dim>& grid, const Body<Dim>& body,
     if (grid.axisymmetric && cut.point[0] > grid.dx)
       add_widening(w, w[C::u] / cut.point[0], 1 / cut.point[0], m, rate);
   for (std::size_t c = 0; c < w.size(); ++c) wall.value[c] += time * rate[c];
+  if (m.loading > 0) keep_at_yield<Dim>(w, w, wall.value);
 }
 
 }  // namespace

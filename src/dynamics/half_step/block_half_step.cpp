@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "core/multiversion.hpp"
@@ -38,18 +39,24 @@ void for_each_row(const Work<Dim>& w, Box<Dim> rows, F&& f) {
   for_each(rows, [&](const Index<Dim>& r) { f(r, static_cast<std::ptrdiff_t>(w.window.at(r)), width); });
 }
 
-/// S:D of a row of cells.
+/// S:D of a row of cells; the least number above zero where matter without stress moves otherwise than what
+/// is around it.
 template <int Dim, class Reader>
 RECOIL_MULTIVERSION void find_working(const Reader& read, const std::array<std::ptrdiff_t, Dim>& step,
                                       std::ptrdiff_t first, int count, double* working) {
+  using C = Components<Dim>;
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const auto v = read.at(first + i);
-    double sum = 0;
+    double sum = 0, motion = 0, stress = 0;
     for_each_axis<Dim>([&](auto d) RECOIL_INLINE {
-      sum += working_along<Dim, d>(v, read.slope(read.primitive, first + i, step[d]));
+      const auto slope = read.slope(read.primitive, first + i, step[d]);
+      sum += working_along<Dim, d>(v, slope);
+      for_each_axis<Dim>([&](auto e) RECOIL_INLINE { motion += std::abs(slope[C::u + e]); });
     });
-    working[i] = sum;
+    for_each_constant<C::stresses>([&](auto c) RECOIL_INLINE { stress += std::abs(v[C::s + c]); });
+    const double least = motion > 0 ? std::numeric_limits<double>::min() : 0.0;
+    working[i] = stress > 0 ? sum : least;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "core/multiversion.hpp"
 #include "dynamics/face_values.hpp"
 #include "dynamics/half_step/half_step.hpp"
+#include "dynamics/half_step/loading.hpp"
 
 /// The values of cells at their faces in the middle of a step of one stage (theory: one stage a step).
 namespace recoil::detail {
@@ -286,14 +287,18 @@ template <int Dim, int Axis>
   return v;
 }
 
-/// Adds what the other axes change, and puts an end of a cell that yields back into its row.
+/// Adds what the other axes change, and puts an end of a cell that yields back into its row, at yield.
+/// @param before the end at the start of the step.
 template <int Dim, int Axis>
-[[gnu::always_inline]] inline void put_end(const Row<Dim>& in, int i, Primitives<Dim> v, FaceValues<Dim>& w,
-                                           int at) {
+[[gnu::always_inline]] inline void put_end(const Row<Dim>& in, int i, const Primitives<Dim>& before,
+                                           Primitives<Dim> v, FaceValues<Dim>& w, int at) {
   using C = Components<Dim>;
   const std::ptrdiff_t k = in.first + i;
   if (const double* across = in.ahead->across)
     for (std::size_t c = 0; c < v.size(); ++c) v[c] += across[c * in.cells + k];
+  Primitives<Dim> mean;
+  for (std::size_t c = 0; c < v.size(); ++c) mean[c] = in.primitive[c * in.cells + k];
+  keep_at_yield<Dim>(before, mean, v);
   for (std::size_t c = 0; c < v.size(); ++c) w.value[c][at] = v[c];
   w.stress[at] = deviator<Dim>(v, Axis, Axis) - v[C::p];
 }
@@ -349,9 +354,10 @@ void move_half_step(bool has_extra, const Row<Dim>& in, int to, FaceValues<Dim>&
   }
   for (int k = 0; k < n; ++k) {
     Ends& e = yielding[k];
+    const Primitives<Dim> low_before = e.low, high_before = e.high;
     move_yielding<Dim, Axis>(in, e.cell, 0.5 * in.ahead->per_dx, e.low, e.high);
-    put_end<Dim, Axis>(in, e.cell, e.low, low, e.cell + to);
-    put_end<Dim, Axis>(in, e.cell, e.high, high, e.cell + to);
+    put_end<Dim, Axis>(in, e.cell, low_before, e.low, low, e.cell + to);
+    put_end<Dim, Axis>(in, e.cell, high_before, e.high, high, e.cell + to);
   }
 }
 

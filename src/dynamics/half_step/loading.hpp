@@ -10,14 +10,16 @@
 
 namespace recoil {
 
-/// Response::loading [1/Pa] of a state that its gradients load on (S:D > 0): 1/|S| where it is at yield, else
-/// 0.
+/// Response::loading of matter without any strength, such as a melt, whose S is zero [1/Pa].
+inline constexpr double loading_of_melt = 1e100;
+
+/// Response::loading [1/Pa] of a state that its gradients load on (S:D > 0, or S = 0): 1/|S| where it is at
+/// yield, else 0.
 template <int Dim>
 double loading_of(const Body<Dim>& body, const Primitives<Dim>& w) {
   using C = Components<Dim>;
   const Eos& eos = body.material.eos;
   const double square = equivalent_stress_squared<Dim>(w.data() + C::s, 1);
-  if (!(square > 0)) return 0;
   YieldState state{.ep = std::max(w[C::ep], 0.0),
                    .pressure = w[C::p],
                    .compression = w[C::rho] / rest_density(eos, w[C::crushed])};
@@ -30,7 +32,22 @@ double loading_of(const Body<Dim>& body, const Primitives<Dim>& w) {
     state.temperature = melt.temperature;
   }
   const double yielding = yield(body.material.strength, state, 1 - melt.molten, melt.at);
-  return square >= at_yield * yielding * yielding ? std::sqrt(1.5 / square) : 0.0;
+  if (!(square >= at_yield * yielding * yielding)) return 0;
+  return square > 0 ? std::sqrt(1.5 / square) : loading_of_melt;
+}
+
+/// Scales a deviator that half a step of yielding has moved back to the size of the larger of two that were
+/// there before. The tangent takes away what grows along S, not what turns it: where the yield stress is
+/// small beside 2 G D dt/2 that would be most of the stress.
+template <int Dim>
+void keep_at_yield(const Primitives<Dim>& before, const Primitives<Dim>& mean, Primitives<Dim>& moved) {
+  using C = Components<Dim>;
+  const double after = equivalent_stress_squared<Dim>(moved.data() + C::s, 1),
+               most = std::max(equivalent_stress_squared<Dim>(before.data() + C::s, 1),
+                               equivalent_stress_squared<Dim>(mean.data() + C::s, 1));
+  if (after <= most) return;
+  const double part = std::sqrt(most / after);
+  for (int c = C::s; c < C::ep; ++c) moved[static_cast<std::size_t>(c)] *= part;
 }
 
 }  // namespace recoil
