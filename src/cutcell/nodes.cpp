@@ -122,7 +122,7 @@ Nodes node_values(const State<Dim>& state, const Window<Dim>& w, int body, PhiAt
   const Body<Dim>& b = state.bodies[body];
   const auto pose = b.rigid ? std::optional(pose_after(*b.rigid, ahead)) : std::nullopt;
   const Box<Dim> nodes = node_box(w.inner());
-  Nodes n{body, b.rigid.has_value(), scratch.take<double>(nodes.size()), nullptr};
+  Nodes n{body, b.name, b.rigid.has_value(), scratch.take<double>(nodes.size()), nullptr};
   const CellValues cells = cell_values(state, w, b, when, scratch);
   if (cells.contact) n.contact = scratch.take<std::uint32_t>(nodes.size());
   const double push = off_node * state.grid().dx, band = exact_band * state.grid().dx;
@@ -154,7 +154,6 @@ void share_node(std::span<Nodes> nodes, int k, double dx) {
     }
   }
   if (!b || b->phi[k] >= 2 * dx || a->phi[k] < -2.5 * dx) return;
-  if (a->body > b->body) std::swap(a, b);
   if (a->rigid && b->rigid) return;
   const double pa = a->phi[k], pb = b->phi[k], gap = pa + pb, push = off_node * dx;
   const auto touched = [k](const Nodes& n, const Nodes& other) {
@@ -162,7 +161,8 @@ void share_node(std::span<Nodes> nodes, int k, double dx) {
   };
   if (gap >= shared_gap * dx && !(gap < shared_contact_gap * dx && (touched(*a, *b) || touched(*b, *a))))
     return;
-  // A wall exactly on a face: the deformable or lower-numbered body is just outside, the other just inside.
+  // A wall exactly on a face: the deformable body is just outside, or of two the one whose name comes first;
+  // the other is just inside. The order of the bodies does not matter.
   const auto beside_rigid = [&](Nodes& n, Nodes& wall) {
     n.phi[k] = std::abs(wall.phi[k]) <= push ? push : -wall.phi[k];
     if (std::abs(wall.phi[k]) <= push) wall.phi[k] = -push;
@@ -170,7 +170,7 @@ void share_node(std::span<Nodes> nodes, int k, double dx) {
   if (b->rigid) return beside_rigid(*a, *b);
   if (a->rigid) return beside_rigid(*b, *a);
   double psi = 0.5 * (pa - pb);
-  if (std::abs(psi) < push) psi = push;
+  if (std::abs(psi) < push) psi = a->name < b->name ? push : -push;
   a->phi[k] = psi;
   b->phi[k] = -psi;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "cutcell/geometry.hpp"
 
@@ -11,6 +12,7 @@ namespace recoil {
 /// phi at the nodes of one block for one body. Node i is the low corner of cell i.
 struct Nodes {
   int body = 0;
+  std::string_view name;  // of the body
   bool rigid = false;
   double* phi = nullptr;
   std::uint32_t* contact = nullptr;  // bits of the partners of the cells around; null without contact

@@ -5,7 +5,7 @@
 
 #include "contact/touch.hpp"
 #include "interface/opposite.hpp"
-#include "interface/walls.hpp"
+#include "interface/surface_state.hpp"
 #include "state/contact_sums.hpp"
 
 namespace recoil {

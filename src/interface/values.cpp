@@ -11,7 +11,7 @@
 #include "dynamics/block_work.hpp"
 #include "dynamics/primitives.hpp"
 #include "interface/nearest_wall.hpp"
-#include "interface/walls.hpp"
+#include "interface/surface_state.hpp"
 #include "material/eos/isentrope.hpp"
 #include "mesh/open_edge.hpp"
 

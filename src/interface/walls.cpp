@@ -5,12 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <variant>
 
 #include "contact/friction.hpp"
 #include "contact/touch.hpp"
 #include "core/constants.hpp"
-#include "dynamics/primitives.hpp"
+#include "interface/surface_state.hpp"
 #include "interface/surface_view.hpp"
 #include "material/eos/isentrope.hpp"
 #include "state/contact_sums.hpp"
@@ -94,13 +93,12 @@ double shared_area(const BlockStage<Dim>& a, const Side<Dim>& first, const Side<
   return std::min(dot(first.rest, e), -dot(second.rest, e));
 }
 
-/// Where two surfaces of a cell meet, in whatever order they are named: half way between their surface points;
-/// at that of the one which can be deformed where the other is rigid.
+/// Where two surfaces of a cell meet, in whatever order they are named: half way between their surface
+/// points; of a rigid one that of its partner counts.
 template <int Dim>
 Vec<Dim> meeting_point(const Side<Dim>& one, const Side<Dim>& other) {
-  if (other.rigid) return one.cut->point;
-  if (one.rigid) return other.cut->point;
-  return 0.5 * (one.cut->point + other.cut->point);
+  const Vec<Dim>&a = (one.rigid ? other : one).cut->point, &b = (other.rigid ? one : other).cut->point;
+  return 0.5 * (a + b);
 }
 
 /// Adds a contact to the list of the block.
@@ -336,49 +334,6 @@ void find_all(const BlockStage<Dim>& a) {
 }  // namespace
 
 template <int Dim>
-SurfaceState<Dim> resolve(const Primitives<Dim>& value, const Vec<Dim>& e) {
-  using C = Components<Dim>;
-  SurfaceState<Dim> s;
-  Vec<Dim> u, t;
-  for_each_axis<Dim>([&](auto i) RECOIL_INLINE {
-    u[i] = value[C::u + i];
-    for_each_axis<Dim>([&](auto j) RECOIL_INLINE {
-      constexpr int c = C::stress(i, j);
-      double sij;
-      if constexpr (c >= 0)
-        sij = value[C::s + c];
-      else
-        sij = -(value[C::s] + value[C::s + 1]);
-      t[i] += sij * e[j];
-    });
-  });
-  s.velocity = dot(u, e);
-  s.sliding = u - s.velocity * e;
-  s.deviator = dot(t, e);
-  s.stress = s.deviator - value[C::p];
-  s.shear = t - s.deviator * e;
-  return s;
-}
-
-template <int Dim>
-SurfaceState<Dim> surface_state(const Material& material, const Primitives<Dim>& value, const Vec<Dim>& e) {
-  using C = Components<Dim>;
-  SurfaceState<Dim> s = resolve<Dim>(value, e);
-  const double rho = value[C::rho], g = shear_modulus(material);
-  const double c2 = std::visit(
-      [&](const auto& eos) {
-        const auto& matter = frozen(eos, value[C::crushed]);
-        return std::max(matter.sound_speed_squared(rho, value[C::p]), least_wall_sound_squared(matter));
-      },
-      material.eos);
-  // A fit across a shock that arrives may bear more tension than its sound can answer for: the surface of
-  // such a state would run off at many times the speed of any release. In matter rho c^2 is above its stress.
-  s.impedance = rho * std::sqrt(std::max(c2 + 4 * g / (3 * rho), std::abs(s.stress) / rho));
-  s.shear_impedance = std::sqrt(rho * g);
-  return s;
-}
-
-template <int Dim>
 void find_walls(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch) {
   state.contacts[slot].clear();
   if (reset_walls(state, slot))
@@ -395,10 +350,8 @@ void remember_contact(BodyBlock<Dim>& b) {
   for (std::size_t m = 0; m < b.walls.size(); ++m) b.contact[b.geometry.cuts[m].cell] = b.walls[m].partners;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                            \
-  template SurfaceState<Dim> resolve<Dim>(const Primitives<Dim>&, const Vec<Dim>&);                        \
-  template SurfaceState<Dim> surface_state<Dim>(const Material&, const Primitives<Dim>&, const Vec<Dim>&); \
-  template void find_walls<Dim>(State<Dim>&, int, double, double, Scratch&);                               \
+#define RECOIL_INSTANTIATE(Dim)                                              \
+  template void find_walls<Dim>(State<Dim>&, int, double, double, Scratch&); \
   template void remember_contact<Dim>(BodyBlock<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

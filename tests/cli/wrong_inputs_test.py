@@ -157,6 +157,8 @@ WARNINGS = [
      "'ball' and 'target' fly apart", 14, "turn the velocity round"),
     (FLYER, [('"15 mm"] }', '"20 mm"] }'), ('at = { x = "15 mm" }', 'at = { x = "0 mm" }')],
      "'target' is cut off at the high end of x, an outflow edge: 2 mm", 16, "20 mm"),
+    (FLYER, [('["-4 mm", "18 mm"]', '["-2.2 mm", "18 mm"]\nboundary = { x = ["symmetry", "outflow"] }'), ('"450 m/s"', '"-450 m/s"')],
+     "'flyer' meets its mirror image in the plane of symmetry x = -2.2 mm at 0.4444 us", 14, "a rigid half-space"),
     (FLYER, [USES_MINE, MINE % ("strength", 'a = "6 GPa"')], "yield stress 6 GPa is implausible", 25, "no metal exceeds about 5 GPa"),
     (FLYER, [USES_MINE, MINE % ("eos", 'density = "29000 kg/m3"')], "that of no solid", 25, "23000"),
     (FLYER, [('"copper/ofhc-johnson-cook"', '"copper/seed"')], "material 'copper/seed' is in doubt", 15, "slip of copying"),

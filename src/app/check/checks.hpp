@@ -35,7 +35,7 @@ void check_motion(LoadedCase& loaded);
 /// Plates without damage that releases will pull harder than their material bears.
 void check_tension(LoadedCase& loaded);
 
-/// Bodies that an open edge of the domain cuts.
+/// Bodies that an open edge of the domain cuts, and such as meet their mirror image in a plane of symmetry.
 void check_edges(LoadedCase& loaded);
 
 /// Smallest extent of a shape [m]: of parts that cannot tell, the diameter of the largest ball that fits in,

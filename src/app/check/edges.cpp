@@ -11,6 +11,7 @@
 #include "config/shape/slabs.hpp"
 #include "core/index.hpp"
 #include "core/vec.hpp"
+#include "material/eos/isentrope.hpp"
 
 namespace recoil::app {
 
@@ -60,9 +61,57 @@ double reach_beyond(const Body& body, const Domain& domain, DomainEdge edge) {
   }
 }
 
+/// When a body that flies at a plane of symmetry meets its mirror image [s], before anything else gets there;
+/// endless: it does not, or that cannot be told from its extent.
+double meets_itself(const config::Case& c, const Body& body, DomainEdge edge) {
+  const config::Extent e = extent_of(body.shape, c.domain.geometry);
+  const double speed = (edge.side == 0 ? -1 : 1) * body.velocity[edge.axis];
+  const auto distance = [&](const config::Extent& of) {
+    return edge.side == 0 ? of.lo[edge.axis] - c.domain.lo[edge.axis]
+                          : c.domain.hi[edge.axis] - of.hi[edge.axis];
+  };
+  const bool apart = e.plain && distance(e) > 1e-2 * c.mesh.finest;
+  if (!apart || !(speed > 0)) return endless;
+  const bool alone = std::ranges::none_of(c.bodies, [&](const Body& other) {
+    if (&other == &body || other.takes_up_fragments()) return false;
+    const config::Extent o = extent_of(other.shape, c.domain.geometry);
+    return !o.plain || distance(o) < distance(e);
+  });
+  return alone ? distance(e) / speed : endless;
+}
+
+/// A body and its mirror image are one level set: where they meet they weld.
+void check_mirror_images(LoadedCase& loaded) {
+  const config::Case& c = loaded.contents;
+  const std::vector<std::string> axes = config::axes_of(c.domain.geometry);
+  for (std::size_t m = 0; m < c.bodies.size(); ++m) {
+    const Body& body = c.bodies[m];
+    if (body.rigid || body.takes_up_fragments() || is_gas(loaded.materials[m].eos)) continue;
+    for (DomainEdge edge; edge.axis < axes.size(); ++edge.axis)
+      for (edge.side = 0; edge.side < 2; ++edge.side) {
+        if (c.domain.boundary[edge.axis][edge.side] != config::Boundary::symmetry) continue;
+        const double time = meets_itself(c, body, edge);
+        if (time >= c.time.end) continue;
+        const std::string& axis = axes[edge.axis];
+        const double at = (edge.side == 0 ? c.domain.lo : c.domain.hi)[edge.axis] * 1e3;
+        loaded.found.warning(
+            place_of(loaded, "body." + body.name + ".velocity", body.place),
+            fmt::format(
+                "'{}' meets its mirror image in the plane of symmetry {} = {:.4g} mm at {:.4g} us, and will "
+                "weld with it",
+                body.name, axis, at, time * 1e6),
+            fmt::format(
+                "to let it part again: a rigid half-space with its surface at {} = {:.4g} mm, inside a "
+                "domain that reaches beyond",
+                axis, at));
+      }
+  }
+}
+
 }  // namespace
 
 void check_edges(LoadedCase& loaded) {
+  check_mirror_images(loaded);
   const config::Case& c = loaded.contents;
   const std::vector<std::string> axes = config::axes_of(c.domain.geometry);
   for (const Body& body : c.bodies) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "dynamics/half_step/half_step.hpp"
 #include "dynamics/stress_invariants.hpp"

@@ -7,6 +7,7 @@
 #include "../core/dimensions.hpp"
 #include "dynamics/block_update.hpp"
 #include "interface/ghosts.hpp"
+#include "interface/surface_state.hpp"
 #include "interface/walls.hpp"
 #include "prepared.hpp"
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "interface/surface_state.hpp"
 #include "walls_fixture.hpp"
 
 namespace recoil {

@@ -68,6 +68,18 @@ TEST(OrderOfBodies, DoesNotMatterInThePlane) {
   EXPECT_LT(difference<2>(impact, 60), 1e-11);
 }
 
+/// Surfaces that meet exactly along a line of the mesh: which body has the sliver beyond it is a matter of
+/// their names.
+TEST(OrderOfBodies, DoesNotMatterAlongALineOfTheMesh) {
+  const Impact impact{domain_of(Geometry::planar, {-3 * mm, -3 * mm}, {3 * mm, 3 * mm}),
+                      0.25 * mm,
+                      {body_of("upper", box_shape({-1 * mm, 0}, {1.25 * mm, 1.5 * mm}), {0, -speed}),
+                       body_of("block", box_shape({-2 * mm, -1.5 * mm}, {2 * mm, 0})),
+                       body_of("anvil", box_shape({-2 * mm, -2.5 * mm}, {2.25 * mm, -1.5 * mm}))},
+                      {samples::copper(), samples::aluminium(), samples::copper()}};
+  EXPECT_LT(difference<2>(impact, 40), 1e-11);
+}
+
 TEST(OrderOfBodies, DoesNotMatterAroundAnAxis) {
   const Impact impact{domain_of(Geometry::axisymmetric, {0, -3 * mm}, {5 * mm, 5 * mm}),
                       0.25 * mm,
