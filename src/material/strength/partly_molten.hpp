@@ -7,7 +7,9 @@
 namespace recoil {
 
 /// The strength of matter that melts: a model times the part that is solid. A model that has a melting
-/// temperature without a curve takes that of the state.
+/// temperature without a curve takes that of the state. One with a curve has no strength from where melting
+/// begins, by the solid part: while latent heat is taken up the temperature is that of melting, so that by
+/// the temperature rounding would decide.
 template <class Model>
 struct PartlyMolten : Model {
   double solid = 1;            // 0 to 1
@@ -22,7 +24,12 @@ struct PartlyMolten : Model {
       if (melts_at < infinite) this->melting_temperature = melts_at;
   }
 
-  double yield(const YieldState& s) const { return solid > 0 ? solid * Model::yield(s) : 0.0; }
+  double yield(const YieldState& s) const {
+    if (!(solid > 0)) return 0;
+    if constexpr (requires(const Model& m) { m.yield_of_solid(s); })
+      if (melts_at < infinite) return solid < 1 ? 0.0 : Model::yield_of_solid(s);
+    return solid * Model::yield(s);
+  }
 
   auto expand(double ep, double log_rate) const requires requires(const Model& m) { m.expand(ep, log_rate); }
   {

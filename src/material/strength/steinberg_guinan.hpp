@@ -64,7 +64,11 @@ struct SteinbergGuinan {
   }
 
   double yield(const YieldState& s) const {
-    if (s.temperature >= melting_at(s.compression)) return 0;
+    return s.temperature >= melting_at(s.compression) ? 0.0 : yield_of_solid(s);
+  }
+
+  /// The same of matter that is known to be solid.
+  double yield_of_solid(const YieldState& s) const {
     const double hardened = std::min(y0 * std::pow(1 + beta * s.ep, n), y_max);
     const double state = 1 + a * s.pressure / std::cbrt(s.compression) - b * (s.temperature - 300);
     return hardened * std::max(state, 0.0);

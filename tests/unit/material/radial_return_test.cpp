@@ -111,7 +111,22 @@ TEST(PartlyMolten, HasTheStrengthOfItsSolidPart) {
   });
 }
 
-/// A model with a melting temperature but no curve takes that of the state; one with a curve keeps its own.
+/// While latent heat is taken up the temperature is that of melting, which a model with a curve and the law
+/// of the temperature round otherwise: the solid part says what has strength.
+TEST(PartlyMolten, RoundingDoesNotDecideWhatHasMelted) {
+  for (const auto& s : samples::of(SteinbergGuinan{})) {
+    const double compression = 1.03, at = s.melting_at(compression);
+    for (const double temperature : {at * (1 - 1e-14), at, at * (1 + 1e-14)}) {
+      const YieldState state{.temperature = temperature, .pressure = 5e9, .compression = compression};
+      EXPECT_EQ(PartlyMolten<SteinbergGuinan>(s, 0.9, at).yield(state), 0);
+      EXPECT_GT(PartlyMolten<SteinbergGuinan>(s, 1, at).yield(state), 1e6);
+    }
+    const YieldState molten{.temperature = at, .compression = compression};
+    EXPECT_EQ(PartlyMolten<SteinbergGuinan>(s, 1, infinite).yield(molten), 0);  // by the model alone
+  }
+}
+
+/// A model with a melting temperature but no curve takes that of the state.
 TEST(PartlyMolten, MeltsAtTheTemperatureOfTheState) {
   const JohnsonCook s{43.33e9, 400e6, 177e6, 1.0, .025, 1.09, 1358};
   EXPECT_EQ(s.yield({.temperature = 1400}), 0);
