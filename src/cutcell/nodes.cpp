@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "core/multiversion.hpp"
 #include "state/level_set_view.hpp"

@@ -8,7 +8,6 @@
 
 #include "contact/friction.hpp"
 #include "contact/touch.hpp"
-#include "core/constants.hpp"
 #include "interface/surface_state.hpp"
 #include "interface/surface_view.hpp"
 #include "material/eos/isentrope.hpp"

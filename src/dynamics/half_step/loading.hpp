@@ -39,7 +39,7 @@ double loading_of(const Body<Dim>& body, const Primitives<Dim>& w) {
 
 /// Scales a deviator that half a step of yielding has moved back to the size of the larger of two that were
 /// there before. The tangent takes away what grows along S, not what turns it: where the yield stress is
-/// small beside 2 G D dt/2 that would be most of the stress.
+/// small beside G D dt that would be most of the stress.
 template <int Dim>
 void keep_at_yield(const Primitives<Dim>& before, const Primitives<Dim>& mean, Primitives<Dim>& moved) {
   using C = Components<Dim>;
