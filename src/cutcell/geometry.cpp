@@ -268,8 +268,10 @@ double interpolate(const Grid<Dim>& grid, const Box<Dim>& window, const double* 
   Index<Dim> i;
   Vec<Dim> t;
   for (int d = 0; d < Dim; ++d) {
-    const double a = std::clamp((x[d] - grid.origin[d]) / grid.dx - 0.5, static_cast<double>(window.lo[d]),
-                                window.hi[d] - 1.001);
+    // A place that is not a number counts as the window's first one: of a state that is none, a run tells
+    // later.
+    const double at = (x[d] - grid.origin[d]) / grid.dx - 0.5, first = window.lo[d],
+                 a = at > first ? std::min(at, window.hi[d] - 1.001) : first;
     i[d] = static_cast<int>(std::floor(a));
     t[d] = a - i[d];
   }

@@ -9,6 +9,7 @@
 #include "cutcell/leaving.hpp"
 #include "cutcell/lost_fragment.hpp"
 #include "cutcell/moves_view.hpp"
+#include "cutcell/taken_volume.hpp"
 #include "cutcell/transfer.hpp"
 #include "state/alone.hpp"
 #include "state/places.hpp"
@@ -25,7 +26,6 @@ constexpr double counted_excess = open_bound;  // nearer to its cell a volume is
 constexpr double ample_fill = 0.3;   // a neighbour with less does not lend to a cell that lacks volume ...
 constexpr double ample_times = 4;    // ... nor one with less than so many times what is lacking
 constexpr double most_lent = 0.5;    // of what a neighbour has, it gives in its own state
-constexpr double least_left = 0.5;   // a neighbour that would keep less of its density gives in its own state
 constexpr double fullest_times = 2;  // what takes a negative volume in has more than so many times as much
 constexpr double like_speed = 50;    // [m/s] moving otherwise by so much halves the rank of what takes it in
 constexpr double least_surface = 0.02;       // area that a surface counts with in the exchange along it
@@ -139,15 +139,6 @@ double least_volume(const MovesView<Dim>& p, const Index<Dim>& i) {
   return p.thin(i) ? 0.0 : -open_bound * p.full(i);
 }
 
-/// The most volume [m^Dim] that cell i takes from another one in its own state, so that it leaves that at
-/// least the part `least_left` of its density: most of it may be void.
-template <int Dim>
-double most_taken(const MovesView<Dim>& p, const Index<Dim>& i, const Index<Dim>& from) {
-  const double mass = p.contents(from)[0], left = least_left * mass / p.volume[p.window.at(from)],
-               taken = p.contents(i)[0] / p.volume[p.window.at(i)];
-  return mass > 0 && left < taken ? (1 - least_left) * mass / (taken - left) : infinite;
-}
-
 template <int Dim>
 bool failed_at(const MovesView<Dim>& p, const Index<Dim>& i) {
   const Contents<Dim> q = p.contents(i);
@@ -202,21 +193,23 @@ void add_given(const MovesView<Dim>& p, const Index<Dim>& giver, const Contents<
 /// What a full cell passes on to its neighbour inwards, or takes from there: in its own state, so that its
 /// density stays, else in that of the neighbour.
 template <int Dim>
-Transfer<Dim> made_full(const MovesView<Dim>& p, const Index<Dim>& i, double excess, bool may_fail) {
+Transfer<Dim> made_full(const MovesView<Dim>& p, const Index<Dim>& i, double excess, bool may_fail,
+                        double slack) {
   Transfer<Dim> t;
   t.to = p.neighbour(i, 1);
   if (t.to == i || !p.takes_part(i)) return t;
   const double own = p.volume[p.window.at(i)], there = p.volume[p.window.at(t.to)];
-  const bool passes_on = excess > 0,
-             ample = there >= std::max(ample_times * std::abs(excess), ample_fill * p.full(t.to));
+  const bool passes_on = excess > 0;
+  const bool ample = there >= std::max(ample_times * std::abs(excess), ample_fill * p.full(t.to));
   bool in_own_state = passes_on || !ample;
   if (in_own_state) {
     // A cell that the geometry gives to the body before anything of it is there has no state to go by.
     bool neighbours_state = !(own > least_state_fill * p.full(i));
-    if (!passes_on && !neighbours_state && may_fail) {
-      const double most = most_taken(p, i, t.to);
+    if (!passes_on && !neighbours_state) {
+      const double most = may_fail ? most_by_density(p, i, t.to) : infinite;
       neighbours_state = -excess > most && failed_at(p, i);
       if (!neighbours_state) excess = std::max(excess, -most);  // void would put it under tension
+      neighbours_state = neighbours_state || -excess > most_by_heat(p, i, t.to, slack);
     }
     if (neighbours_state) {
       if (!(there > least_state_fill * p.full(t.to))) return t;
@@ -225,6 +218,7 @@ Transfer<Dim> made_full(const MovesView<Dim>& p, const Index<Dim>& i, double exc
     }
   }
   if (!passes_on && in_own_state && there + excess < least_volume(p, i)) return t;
+  if (!passes_on && slack < infinite) excess = -share_of(p, i, t.to, -excess);
   t.any = true;
   t.volume = excess;
   t.state_cell = in_own_state ? i : t.to;
@@ -350,10 +344,11 @@ void fill_inside(const State<Dim>& state, Body<Dim>& body, int slot, ExactEdgeAc
   if (count == 0) return;
   p.gather_phi();
   const bool may_fail = can_fail(body.material.damage);
+  const double slack = slack_of_heat(body.material);
   transfer<Dim>(p, b, senders, count, scratch, [&](const Index<Dim>& i) {
     const double excess = p.volume[p.window.at(i)] - p.full(i);
     if (open_edge_along(p, i, 1).axis >= 0) return across_edge(p, i, excess, edges);
-    return made_full(p, i, excess, may_fail);
+    return made_full(p, i, excess, may_fail, slack);
   });
 }
 

@@ -7,6 +7,7 @@
 #include "dynamics/face_values.hpp"
 #include "dynamics/half_step/face_half_step.hpp"
 #include "dynamics/primitives.hpp"
+#include "dynamics/stiffness/shear_modulus.hpp"
 #include "kernels/row_kernels.hpp"
 #include "kernels/strong_shocks.hpp"
 #include "material/eos/any_eos.hpp"
@@ -30,9 +31,23 @@ template <int Dim, int Axis, class Values>
     return w[C::s + C::stress(Axis, Axis)][i];
 }
 
-/// Flattens the values at the faces of a row where a strong shock passes; see find_strong_shocks().
+/// Draws all values at the faces of a row of cells towards those of the cells.
+/// @param kept how much of the differences is left, see flatten().
+template <int Dim>
+void flatten_row(const Row<Dim>& in, const double* kept, int to, FaceValues<Dim>& low,
+                 FaceValues<Dim>& high) {
+  using C = Components<Dim>;
+  for (std::size_t c = 0; c < C::primitives; ++c)
+    flatten(in.primitive + c * in.cells + in.first, kept, in.count, {low.value[c] + to, high.value[c] + to});
+  flatten(in.stress + in.first, kept, in.count, {low.stress + to, high.stress + to});
+}
+
+/// Flattens the values at the faces of a row where a strong shock passes, see find_strong_shocks(), and in
+/// vapour, see find_thin_matter().
+/// @param vapour density below which matter is no solid [kg/m3].
 template <int Dim, int Axis>
-void flatten_strong_shocks(const Row<Dim>& in, int to, FaceValues<Dim>& low, FaceValues<Dim>& high) {
+void flatten_where_needed(const Row<Dim>& in, double vapour, int to, FaceValues<Dim>& low,
+                          FaceValues<Dim>& high) {
   using C = Components<Dim>;
   const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
   const ShockRow row{in.stress + in.first,
@@ -43,10 +58,8 @@ void flatten_strong_shocks(const Row<Dim>& in, int to, FaceValues<Dim>& low, Fac
                      regular,
                      in.step};
   alignas(64) double kept[row_room];
-  if (!find_strong_shocks(row, in.count, kept)) return;
-  for (int c = 0; c < static_cast<int>(C::primitives); ++c)
-    flatten(of(c), kept, in.count, {low.value[c] + to, high.value[c] + to});
-  flatten(in.stress + in.first, kept, in.count, {low.stress + to, high.stress + to});
+  if (find_strong_shocks(row, in.count, kept)) flatten_row(in, kept, to, low, high);
+  if (find_thin_matter(of(C::rho), in.step, vapour, in.count, kept)) flatten_row(in, kept, to, low, high);
 }
 
 }  // namespace detail
@@ -102,7 +115,7 @@ void reconstruct(const AnyEos& eos, const Row<Dim>& in, int to, FaceValues<Dim>&
   }
   if constexpr (Dim == 3 && Axis == 2)
     detail::reconstruct_turned(of(C::s), of(C::s + 1), in.step, in.count, cells, ends(C::s), ends(C::s + 1));
-  if (in.flattens) detail::flatten_strong_shocks<Dim, Axis>(in, to, low, high);
+  if (in.flattens) detail::flatten_where_needed<Dim, Axis>(in, most_fluid * eos.rho0, to, low, high);
   if (in.ahead) detail::move_half_step<Dim, Axis, Shear>(eos.barotropic, in, to, low, high);
   for (int c = C::ep; c < static_cast<int>(in.carried()); ++c)
     detail::keep_positive(of(c), in.count, ends(c));

@@ -18,6 +18,8 @@ constexpr double slow_speed = 0.4, fast_speed = 0.8;
 // Of one shock the jump of stress times that of the specific volume is the jump of velocity, squared (Rankine
 // and Hugoniot). Waves that cross, as at a wall that throws one back, have more of the former.
 constexpr double most_of_one_shock = 1.5;
+// Factors between neighbouring densities of expanded matter.
+constexpr double thin_onset = 1.2, thin_full = 2;
 // What is left of the differences inside of matter.
 constexpr double least_slope = 0.3, least_slope_slow = 0.5;
 
@@ -70,6 +72,21 @@ bool find_strong_shocks(const ShockRow& row, int count, double* kept) {
     any |= kept[i] < 1;
   }
   return any;
+}
+
+RECOIL_MULTIVERSION
+bool find_thin_matter(const double* rho, std::ptrdiff_t step, double vapour, int count, double* kept) {
+  int any = 0;
+#pragma omp simd reduction(| : any)
+  for (int i = 0; i < count; ++i) any |= rho[i] < vapour ? 1 : 0;
+  if (any == 0) return false;
+  for (int i = 0; i < count; ++i) {
+    kept[i] = 1;
+    if (!(rho[i] < vapour)) continue;
+    const double low = rho[i - step], high = rho[i + step], least = std::min({low, rho[i], high});
+    kept[i] = least > 0 ? 1 - way(std::max({low, rho[i], high}) / least, thin_onset, thin_full) : 0;
+  }
+  return true;
 }
 
 RECOIL_MULTIVERSION

@@ -25,6 +25,12 @@ struct ShockRow {
 /// @param kept out, [count]. @returns whether any is below 1.
 bool find_strong_shocks(const ShockRow& row, int count, double* kept);
 
+/// The same of matter that has expanded beyond a solid, density below `vapour` [kg/m3]: 1 where the densities
+/// of a cell and its two neighbours differ by less than `thin_onset`, 0 from `thin_full` on (as factors).
+/// First order there keeps masses and energies of cold, fast vapour above zero; values within a factor of two
+/// of those of their cells do not. docs/decisions/0071.
+bool find_thin_matter(const double* rho, std::ptrdiff_t step, double vapour, int count, double* kept);
+
 /// Draws face values towards those of their cells: kept[i] of the difference is left. Where that is 1 they
 /// keep their bits.
 void flatten(const double* q, const double* kept, int count, RowEnds ends);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "../core/dimensions.hpp"
@@ -338,6 +339,19 @@ TYPED_TEST(Geometries, NormalsAndInterpolationAreExactForLinearFunctions) {
     const auto x = this->grid.centre(i) + this->grid.dx * random.vector<dim>(-1, 1);
     EXPECT_NEAR(interpolate(this->grid, w.box(), phi.data(), x), 0.3 + dot(n, x), 1e-12);
   });
+}
+
+/// Of a level set that is no number a foot point is none either: it is looked up within the window.
+TYPED_TEST(Geometries, InterpolationAtNoPlaceStaysInTheWindow) {
+  constexpr int dim = TestFixture::dim;
+  const auto mesh = make_test_mesh(this->grid);
+  const Window<dim> w(mesh, 0, 2);
+  const std::vector<double> phi(static_cast<std::size_t>(w.size()), 0.25);
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), 1e300, -1e300}) {
+    Vec<dim> at = this->grid.centre(w.inner().lo);
+    at[dim - 1] = x;
+    EXPECT_EQ(interpolate(this->grid, w.box(), phi.data(), at), 0.25) << x;
+  }
 }
 
 /// On a ridge the central differences cancel: the steeper side counts.

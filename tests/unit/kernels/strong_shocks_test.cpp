@@ -88,5 +88,19 @@ TEST(StrongShocks, FlattenKeepsTheBitsOfWhatIsLeft) {
   EXPECT_EQ(high[2], 0.3);
 }
 
+/// Solids stay as they are, whatever their densities; vapour is first order where its density changes by a
+/// factor of two.
+TEST(ThinMatter, IsFirstOrderWhereItThinsOut) {
+  const std::array density{8000.0, 3000.0, 2800.0, 2700.0, 1700.0, 900.0, 100.0};
+  std::array<double, 5> kept{};
+  EXPECT_FALSE(find_thin_matter(density.data() + 1, 1, 50, 5, kept.data()));
+  ASSERT_TRUE(find_thin_matter(density.data() + 1, 1, 2900, 5, kept.data()));
+  EXPECT_EQ(kept[0], 1) << "no vapour";
+  EXPECT_EQ(kept[1], 1) << "3000 to 2700";
+  EXPECT_NEAR(kept[2], 1 - (2800.0 / 1700 - 1.2) / 0.8, 1e-12);
+  EXPECT_EQ(kept[3], 0) << "2700 to 900";
+  EXPECT_EQ(kept[4], 0);
+}
+
 }  // namespace
 }  // namespace recoil::detail
