@@ -97,22 +97,13 @@ void find_failed(const AnyEos& eos, Work<Dim>& w, Scratch& scratch) {
 /// The shear modulus of the window's cells.
 template <int Dim>
 void find_shear_moduli(const Body<Dim>& body, Work<Dim>& w, Scratch& scratch) {
-  using C = Components<Dim>;
-  const double modulus = shear_modulus(body.material), rest = density(body.material);
+  const double modulus = shear_modulus(body.material), solid = least_solid * density(body.material);
   w.shear = scratch.take_filled<double>(w.wide + vector_length, modulus);
   if (modulus == 0) return;
   const bool follows = modulus_follows(body.material.strength);
-  for (std::size_t k = 0; k < w.wide; ++k) {
-    if (follows) {
-      Primitives<Dim> v;
-      for (std::size_t c = 0; c < v.size(); ++c) v[c] = w.primitive[c * w.wide + k];
-      w.shear[k] = shear_modulus_of(body, v);
-    }
-    if (w.primitive[k] < least_solid * rest)
-      w.shear[k] =
-          expanded_modulus<Dim>(w.shear[k], w.primitive[k] / rest, w.failed && w.failed[k] == with_void,
-                                w.primitive + C::s * w.wide + k, w.wide);
-  }
+  for (std::size_t k = 0; k < w.wide; ++k)
+    if (follows || w.primitive[k] < solid)
+      w.shear[k] = modulus_of_cell(body, w.failed && w.failed[k] == with_void, w.primitive + k, w.wide);
 }
 
 template <int Dim>

@@ -337,14 +337,9 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   using C = Components<Dim>;
   const BodyBlock<Dim>& b = body.at(slot);
   const auto n = static_cast<std::size_t>(state.grid(slot).layout().size());
-  const double g = shear_modulus(body.material), rest = density(body.material), solid = least_solid * rest;
+  const double g = shear_modulus(body.material), solid = least_solid * density(body.material);
   const bool fails = can_fail(body.material.damage);
   const bool follows = modulus_follows(body.material.strength);
-  const auto modulus_in = [&](std::size_t k) {
-    Primitives<Dim> w;
-    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.average[c * n + k];
-    return shear_modulus_of(body, w);
-  };
   const bool beside_rigid = std::ranges::any_of(
       state.bodies, [](const Body<Dim>& other) { return other.rigid && !never_moves(*other.rigid); });
   const bool by_rows = !follows && !beside_rigid && !is_fluid(body.material.eos) && !(fails && has_voids(b));
@@ -369,9 +364,8 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
           if (c2 < least && !dust) ++counters.floored_sound_speeds;
           if (beside_rigid && b.phi[k] > -near_rigid * grid.dx)
             sum = std::max(sum, swept_speed(state, grid.centre(i)));
-          double shear = follows ? modulus_in(k) : g;
-          if (rho < solid)
-            shear = expanded_modulus<Dim>(shear, rho / rest, dust, b.average.data() + C::s * n + k, n);
+          const double shear =
+              follows || rho < solid ? modulus_of_cell(body, dust, b.average.data() + k, n) : g;
           const double still = sum;
           sum +=
               (dust ? sound_of_dust : sound) * std::sqrt((c2 > least ? c2 : least) + 4 * shear / (3 * rho));

@@ -54,4 +54,18 @@ double shear_modulus_of(const Body<Dim>& body, const Primitives<Dim>& w) {
                         .compression = w[C::rho] / rest_density(eos, w[C::crushed])});
 }
 
+/// The shear modulus [Pa] of a cell: that of its state, if it follows that, less what it loses by expanding.
+/// @param w its primitives, `stride` apart.
+template <int Dim>
+double modulus_of_cell(const Body<Dim>& body, bool with_voids, const double* w, std::size_t stride) {
+  double modulus = shear_modulus(body.material);
+  if (modulus_follows(body.material.strength)) {
+    Primitives<Dim> value;
+    for (std::size_t c = 0; c < value.size(); ++c) value[c] = w[c * stride];
+    modulus = shear_modulus_of(body, value);
+  }
+  return expanded_modulus<Dim>(modulus, w[0] / density(body.material), with_voids,
+                               w + Components<Dim>::s * stride, stride);
+}
+
 }  // namespace recoil

@@ -1,5 +1,7 @@
 #include "cutcell/taken_volume.hpp"
 
+#include <cstddef>
+
 #include "dynamics/primitives.hpp"
 #include "moves_fixture.hpp"
 
