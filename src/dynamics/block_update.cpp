@@ -97,13 +97,13 @@ void find_failed(const AnyEos& eos, Work<Dim>& w, Scratch& scratch) {
 /// The shear modulus of the window's cells.
 template <int Dim>
 void find_shear_moduli(const Body<Dim>& body, Work<Dim>& w, Scratch& scratch) {
-  const double modulus = shear_modulus(body.material), solid = least_solid * density(body.material);
-  w.shear = scratch.take_filled<double>(w.wide + vector_length, modulus);
-  if (modulus == 0) return;
-  const bool follows = modulus_follows(body.material.strength);
-  for (std::size_t k = 0; k < w.wide; ++k)
-    if (follows || w.primitive[k] < solid)
-      w.shear[k] = modulus_of_cell(body, w.failed && w.failed[k] == with_void, w.primitive + k, w.wide);
+  w.shear = scratch.take_filled<double>(w.wide + vector_length, shear_modulus(body.material));
+  if (!modulus_follows(body.material.strength)) return;
+  for (std::size_t k = 0; k < w.wide; ++k) {
+    Primitives<Dim> v;
+    for (std::size_t c = 0; c < v.size(); ++c) v[c] = w.primitive[c * w.wide + k];
+    w.shear[k] = shear_modulus_of(body, v);
+  }
 }
 
 template <int Dim>

@@ -7,7 +7,6 @@
 #include "dynamics/face_values.hpp"
 #include "dynamics/half_step/face_half_step.hpp"
 #include "dynamics/primitives.hpp"
-#include "dynamics/stiffness/shear_modulus.hpp"
 #include "kernels/row_kernels.hpp"
 #include "kernels/strong_shocks.hpp"
 #include "material/eos/any_eos.hpp"
@@ -42,11 +41,14 @@ void flatten_row(const Row<Dim>& in, const double* kept, int to, FaceValues<Dim>
   flatten(in.stress + in.first, kept, in.count, {low.stress + to, high.stress + to});
 }
 
+/// Of the density at rest: no solid is thinner.
+inline constexpr double thinnest_solid = 0.6;
+
 /// Flattens the values at the faces of a row where a strong shock passes, see find_strong_shocks(), and in
-/// vapour, see find_thin_matter().
-/// @param vapour density below which matter is no solid [kg/m3].
+/// more than one dimension in vapour, see find_thin_matter(). In 1-D no cell of vapour was seen to lose more
+/// than it has, and metals that evaporate have more ghosts out of bounds with it (docs/decisions/0071).
 template <int Dim, int Axis>
-void flatten_where_needed(const Row<Dim>& in, double vapour, int to, FaceValues<Dim>& low,
+void flatten_where_needed(const Row<Dim>& in, double rho0, int to, FaceValues<Dim>& low,
                           FaceValues<Dim>& high) {
   using C = Components<Dim>;
   const auto of = [&](int c) { return in.primitive + c * in.cells + in.first; };
@@ -59,7 +61,8 @@ void flatten_where_needed(const Row<Dim>& in, double vapour, int to, FaceValues<
                      in.step};
   alignas(64) double kept[row_room];
   if (find_strong_shocks(row, in.count, kept)) flatten_row(in, kept, to, low, high);
-  if (find_thin_matter(of(C::rho), in.step, vapour, in.count, kept)) flatten_row(in, kept, to, low, high);
+  if (Dim > 1 && find_thin_matter(of(C::rho), in.step, thinnest_solid * rho0, in.count, kept))
+    flatten_row(in, kept, to, low, high);
 }
 
 }  // namespace detail
@@ -115,7 +118,7 @@ void reconstruct(const AnyEos& eos, const Row<Dim>& in, int to, FaceValues<Dim>&
   }
   if constexpr (Dim == 3 && Axis == 2)
     detail::reconstruct_turned(of(C::s), of(C::s + 1), in.step, in.count, cells, ends(C::s), ends(C::s + 1));
-  if (in.flattens) detail::flatten_where_needed<Dim, Axis>(in, most_fluid * eos.rho0, to, low, high);
+  if (in.flattens) detail::flatten_where_needed<Dim, Axis>(in, eos.rho0, to, low, high);
   if (in.ahead) detail::move_half_step<Dim, Axis, Shear>(eos.barotropic, in, to, low, high);
   for (int c = C::ep; c < static_cast<int>(in.carried()); ++c)
     detail::keep_positive(of(c), in.count, ends(c));

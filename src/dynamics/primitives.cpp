@@ -290,11 +290,9 @@ struct SignalRow {
 /// The fastest signal of a row of solid matter, sum over axes [m/s]: what its regular cells have, or
 /// `fastest` if that is more. @returns whether no cell has to be looked at by itself; if one has, `fastest`
 /// stays. The row is a copy, so that the compiler knows that it stays as it is.
-/// @param solid density from which on matter has all of its shear modulus `g`.
 template <int Dim, class EosModel>
 RECOIL_MULTIVERSION [[gnu::flatten]] bool row_signal(const EosModel& eos, SignalRow row, int count, double g,
-                                                     double sound, double least, double solid,
-                                                     double& fastest) {
+                                                     double sound, double least, double& fastest) {
   using C = Components<Dim>;
   double most = fastest;
   int odd = 0;
@@ -306,7 +304,7 @@ RECOIL_MULTIVERSION [[gnu::flatten]] bool row_signal(const EosModel& eos, Signal
     double sum = 0;
     for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(w[(C::u + d) * row.n]);
     const bool counts = (row.role[c] & regular) != 0,
-               usual = std::isfinite(sum + c2) & (rho >= solid) &
+               usual = std::isfinite(sum + c2) & (rho > 0) &
                        frozen(eos, w[C::crushed * row.n]).admissible(rho) & (c2 >= least);
     sum += sound * std::sqrt((c2 > least ? c2 : least) + 4 * g / (3 * rho));
     odd |= counts & !usual ? 1 : 0;
@@ -337,9 +335,14 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
   using C = Components<Dim>;
   const BodyBlock<Dim>& b = body.at(slot);
   const auto n = static_cast<std::size_t>(state.grid(slot).layout().size());
-  const double g = shear_modulus(body.material), solid = least_solid * density(body.material);
+  const double g = shear_modulus(body.material);
   const bool fails = can_fail(body.material.damage);
   const bool follows = modulus_follows(body.material.strength);
+  const auto modulus_in = [&](std::size_t k) {
+    Primitives<Dim> w;
+    for (std::size_t c = 0; c < w.size(); ++c) w[c] = b.average[c * n + k];
+    return shear_modulus_of(body, w);
+  };
   const bool beside_rigid = std::ranges::any_of(
       state.bodies, [](const Body<Dim>& other) { return other.rigid && !never_moves(*other.rigid); });
   const bool by_rows = !follows && !beside_rigid && !is_fluid(body.material.eos) && !(fails && has_voids(b));
@@ -364,8 +367,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
           if (c2 < least && !dust) ++counters.floored_sound_speeds;
           if (beside_rigid && b.phi[k] > -near_rigid * grid.dx)
             sum = std::max(sum, swept_speed(state, grid.centre(i)));
-          const double shear =
-              follows || rho < solid ? modulus_of_cell(body, dust, b.average.data() + k, n) : g;
+          const double shear = follows ? modulus_in(k) : g;
           const double still = sum;
           sum +=
               (dust ? sound_of_dust : sound) * std::sqrt((c2 > least ? c2 : least) + 4 * shear / (3 * rho));
@@ -376,7 +378,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
         };
         const auto look_at_row = [&](std::size_t k, int count) {
           return by_rows && row_signal<Dim>(eos, {b.role.data() + k, b.average.data() + k, n}, count, g,
-                                            sound, least, solid, fastest);
+                                            sound, least, fastest);
         };
         for_each_row_or_place(state, slot, look_at_row, look_at);
       },

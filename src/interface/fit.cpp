@@ -14,7 +14,6 @@
 #include "dynamics/half_step/half_step.hpp"
 #include "dynamics/half_step/loading.hpp"
 #include "dynamics/primitives.hpp"
-#include "dynamics/stiffness/shear_modulus.hpp"
 #include "material/eos/isentrope.hpp"
 
 namespace recoil {
@@ -233,7 +232,7 @@ void move_fit(const EosModel& eos, const Grid<Dim>& grid, const Body<Dim>& body,
     for (std::size_t c = 0; c < w.size(); ++c) slope[d][c] = wall.gradient[c][d] / grid.dx;
     working += working_along<Dim, d>(w, slope[d]);
   });
-  const double g = modulus_at<Dim>(body.material, w);
+  const double g = shear_modulus(body.material);
   const auto& matter = frozen(eos, w[C::crushed]);
   const double c2 =
       std::max(matter.sound_speed_squared(w[C::rho], w[C::p]), least_wall_sound_squared(matter));

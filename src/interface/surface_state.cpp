@@ -6,7 +6,6 @@
 
 #include "core/constants.hpp"
 #include "dynamics/primitives.hpp"
-#include "dynamics/stiffness/shear_modulus.hpp"
 
 namespace recoil {
 
@@ -39,7 +38,7 @@ template <int Dim>
 SurfaceState<Dim> surface_state(const Material& material, const Primitives<Dim>& value, const Vec<Dim>& e) {
   using C = Components<Dim>;
   SurfaceState<Dim> s = resolve<Dim>(value, e);
-  const double rho = value[C::rho], g = modulus_at<Dim>(material, value);
+  const double rho = value[C::rho], g = shear_modulus(material);
   const double c2 = std::visit(
       [&](const auto& eos) {
         const auto& matter = frozen(eos, value[C::crushed]);
