@@ -29,6 +29,7 @@ bool find_strong_shocks(const ShockRow& row, int count, double* kept);
 /// of a cell and its two neighbours differ by less than `thin_onset`, 0 from `thin_full` on (as factors).
 /// First order there keeps masses and energies of cold, fast vapour above zero; values within a factor of two
 /// of those of their cells do not. docs/decisions/0071.
+/// @param kept out, [count]; untouched where there is no such matter. @returns whether there is any.
 bool find_thin_matter(const double* rho, std::ptrdiff_t step, double vapour, int count, double* kept);
 
 /// Draws face values towards those of their cells: kept[i] of the difference is left. Where that is 1 they
