@@ -19,50 +19,18 @@ namespace recoil {
 namespace {
 
 // Parts of a cell (volumes), of a face (areas).
-constexpr double least_state_fill = 0.02;  // below it a fragment's state carries no volume
-constexpr double open_bound = 0.1;         // how far V may be below 0 or above the cell where it is not thin
-constexpr double rounding = 1e-13;         // a smaller excess over a whole cell is none
+constexpr double open_bound = 0.1;  // how far V may be below 0 or above the cell where it is not thin
+constexpr double rounding = 1e-13;  // a smaller excess over a whole cell is none
 constexpr double counted_excess = open_bound;  // nearer to its cell a volume is moved but not counted
 constexpr double ample_fill = 0.3;   // a neighbour with less does not lend to a cell that lacks volume ...
 constexpr double ample_times = 4;    // ... nor one with less than so many times what is lacking
 constexpr double most_lent = 0.5;    // of what a neighbour has, it gives in its own state
 constexpr double fullest_times = 2;  // what takes a negative volume in has more than so many times as much
 constexpr double like_speed = 50;    // [m/s] moving otherwise by so much halves the rank of what takes it in
-constexpr double least_surface = 0.02;       // area that a surface counts with in the exchange along it
-constexpr double closed_face = 1e-9;         // a common face open by less is closed; closed by less, open
 constexpr double least_mismatch_area = 0.3;  // a smaller surface counts as so large in V - V_phi over A_I
 constexpr double little_room = 0.02;         // a difference in room of less is none
 constexpr double least_taker = 0.1;  // a cell with less of the body does not take what another body displaces
 constexpr double most_mismatch = 0.5;  // [dx] by which phi is asked to follow V at most
-
-/// |A_I| of a cut cell, at least least_surface.
-template <int Dim>
-double surface_area(const Grid<Dim>& grid, const CutCell<Dim>& c, const Index<Dim>& i) {
-  return std::max(norm(c.surface), least_surface * grid.dx_power(Dim - 1) * grid.radius(i[0]));
-}
-
-/// Volume that flows from cell i to its upper neighbour along axis d in the tangential exchange. Into a cell
-/// that another body has a part of goes no more than there is room for: beside a corner, whose linear cut
-/// shows less than there is, bodies would overlap.
-template <int Dim>
-double surface_flow(const MovesView<Dim>& p, const Index<Dim>& i, int d, Index<Dim>& source) {
-  Index<Dim> j = i;
-  ++j[d];
-  const CutCell<Dim>*a = p.cut(i), *b = p.cut(j);
-  if (!a || !b) return 0;
-  const double face = b->open[d][0] / (p.grid.dx_power(Dim - 1) * p.grid.radius(j[0]));
-  if (face <= closed_face || (Dim > 1 && face >= 1 - closed_face)) return 0;
-  const double area_a = surface_area(p.grid, *a, i), area_b = surface_area(p.grid, *b, j);
-  const double va = p.volume[p.window.at(i)], vb = p.volume[p.window.at(j)];
-  source = va / p.full(i) > vb / p.full(j) ? i : j;
-  if (!(p.volume[p.window.at(source)] > least_state_fill * p.full(source))) return 0;
-  const double flow = exchange_rate * ((va - a->volume) / area_a - (vb - b->volume) / area_b) * area_a *
-                      area_b / (area_a + area_b);
-  const Index<Dim>& to = flow > 0 ? j : i;
-  if (!p.is_shared(to)) return flow;
-  const double room = std::max(0.0, p.room(to));
-  return std::clamp(flow, -room, room);
-}
 
 /// Sends what cell i holds to the fullest cell around that has much more: one that shares a face, else a
 /// diagonal one. Where it is a negative volume, one that moves otherwise counts as less full: matter m taken
@@ -172,24 +140,6 @@ Transfer<Dim> back_into_bounds(const MovesView<Dim>& p, const Index<Dim>& i) {
   return t;
 }
 
-/// As add_scaled(), but of what cannot fall below zero a cell gives at most an equal share of what it has
-/// across each of its faces: volume may leave it in the state of the cell that takes it. The mass that it
-/// gives has its own damage.
-template <int Dim>
-void add_given(const MovesView<Dim>& p, const Index<Dim>& giver, const Contents<Dim>& q, double factor,
-               Contents<Dim>& to) {
-  add_scaled<Dim>(to, q, factor);
-  const Contents<Dim> has = p.contents(giver);
-  for (const std::size_t c : bounded<Dim>) {
-    if (c == Components<Dim>::damage && has[0] > 0) {
-      to[c] += factor * (q[0] * (has[c] / has[0]) - q[c]);
-      continue;
-    }
-    const double most = std::max(has[c], 0.0) / (2 * Dim), moved = factor * q[c];
-    if (std::abs(moved) > most) to[c] += std::copysign(most, factor) - moved;
-  }
-}
-
 /// What a full cell passes on to its neighbour inwards, or takes from there: in its own state, so that its
 /// density stays, else in that of the neighbour.
 template <int Dim>
@@ -244,34 +194,6 @@ Transfer<Dim> across_edge(const MovesView<Dim>& p, const Index<Dim>& i, double e
 }
 
 }  // namespace
-
-template <int Dim>
-void exchange_along_surface(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
-  BodyBlock<Dim>& b = body.at(slot);
-  b.updates.clear();
-  if (Dim == 1 || b.end_geometry.cuts.empty()) return;  // a point has no tangent
-  MovesView<Dim> p(state, body, slot, 1, scratch);
-  p.gather_others();
-  for (const CutCell<Dim>& cut : b.end_geometry.cuts) {
-    const Index<Dim> i = p.window.index_of(cut.cell);
-    Update<Dim> u{cut.cell, p.volume[p.window.at(i)], p.contents(i)};
-    bool changed = false;
-    for (int d = 0; d < Dim; ++d)
-      for (int side = -1; side <= 0; ++side) {
-        Index<Dim> low = i, source;
-        low[d] += side;
-        if (!p.exists(low)) continue;
-        const double flow = surface_flow(p, low, d, source) * (side == -1 ? 1 : -1);
-        if (flow == 0) continue;
-        changed = true;
-        u.volume += flow;
-        Index<Dim> giver = low;
-        if ((flow > 0) == (side == 0)) ++giver[d];
-        add_given(p, giver, p.contents(source), flow / p.volume[p.window.at(source)], u.contents);
-      }
-    if (changed) b.updates.push_back(u);
-  }
-}
 
 template <int Dim>
 void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
@@ -376,7 +298,6 @@ void bound_volumes(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                         \
-  template void exchange_along_surface<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);              \
   template void measure_mismatch<Dim>(const State<Dim>&, Body<Dim>&, int);                              \
   template void empty_outside<Dim>(const State<Dim>&, Body<Dim>&, int, double, ExactEdgeAccount<Dim>&,  \
                                    Scratch&);                                                           \

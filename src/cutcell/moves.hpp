@@ -8,16 +8,6 @@ namespace recoil {
 /// Volume moves only with its contents, from one old state; all functions here write BodyBlock::updates and
 /// leave the state as it is. They use the end-of-step geometry (after the step).
 
-/// Part of the difference of mismatch between neighbours that is exchanged in a step.
-inline constexpr double exchange_rate = 0.05;
-
-/// Evens out how far phi lags behind V along a body's own surface: between cut cells whose common face is
-/// cut,
-///   dV = 0.05 (h_i - h_j) |A_i| |A_j|/(|A_i| + |A_j|), h = (V - V_phi)/|A_I|.
-/// Needs the end-of-step geometry with Surfaces::own.
-template <int Dim>
-void exchange_along_surface(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
-
 /// Sets CutCell::mismatch of the end-of-step geometry, limited to half a cell.
 template <int Dim>
 void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot);

@@ -7,14 +7,15 @@
 #include "cutcell/moves_view.hpp"
 #include "material/eos/isentrope.hpp"
 
-/// How much volume a whole cell, by the geometry, may take from a neighbour that has little
-/// (docs/decisions/0071).
+/// How much volume a cell may take in its own state from a neighbour that has little (docs/decisions/0071,
+/// 0072).
 namespace recoil {
 
-inline constexpr double least_left = 0.5;   // part of its density that what gives keeps
-inline constexpr double heat_slack = 1e-2;  // of c0^2, by which what gives may become colder
-inline constexpr double like_states = 100;  // times what is left may leave: taker and giver are alike
-inline constexpr double no_volume = 1e-13;  // part of a cell that is rounding
+inline constexpr double least_state_fill = 0.02;  // of a cell; below it a fragment's state carries no volume
+inline constexpr double least_left = 0.5;         // part of its density that what gives keeps
+inline constexpr double heat_slack = 1e-2;        // of c0^2, by which what gives may become colder
+inline constexpr double like_states = 100;        // times what is left may leave: taker and giver are alike
+inline constexpr double no_volume = 1e-13;        // part of a cell that is rounding
 
 /// How much colder [J/kg] what is left of a cell may become. Gases have no such scale: any.
 inline double slack_of_heat(const Material& material) {
@@ -50,6 +51,13 @@ double most_by_heat(const MovesView<Dim>& p, const Index<Dim>& i, const Index<Di
   const Contents<Dim> own = p.contents(i), there = p.contents(from);
   if (!(there[0] > 0 && own[0] > 0)) return infinite;
   return most_mass_taken<Dim>(own, there, slack) * p.volume[p.window.at(i)] / own[0];
+}
+
+/// The same, so that it leaves that at least the part `least_left` of its mass.
+template <int Dim>
+double most_by_mass(const MovesView<Dim>& p, const Index<Dim>& i, const Index<Dim>& from) {
+  const double own = p.contents(i)[0], there = p.contents(from)[0];
+  return own > 0 && there > 0 ? (1 - least_left) * there * p.volume[p.window.at(i)] / own : infinite;
 }
 
 /// The same, so that it leaves that at least the part `least_left` of its density: most of it may be void.

@@ -121,8 +121,8 @@ void gather_values(const State<Dim>& state, const Body<Dim>& body, int slot, con
   w.impedance = scratch.take<double>(w.wide + vector_length);
   const double least = least_sound_squared(eos);
   const double* rho = w.primitive;
-  eos.sound_speeds_squared(rho, w.primitive + C::p * w.wide, w.primitive + C::crushed * w.wide, w.wide,
-                           w.impedance);
+  eos.wave_speeds_squared(rho, w.primitive + C::p * w.wide, w.primitive + C::crushed * w.wide, w.wide,
+                          w.impedance);
   const auto count = static_cast<int>(w.wide);
   find_shear_moduli(body, w, scratch);
   detail::find_impedances(count, rho, least, w.shear, w.impedance);

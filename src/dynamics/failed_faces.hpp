@@ -38,7 +38,7 @@ CellSide<Dim> side_of(const AnyEos& eos, const StateBounds& bounds, const Work<D
   s.stress = w.stress[k];
   s.shear = w.shear[k];
   s.sound = bounds.longitudinal_speed(
-      s.value[C::rho], eos.sound_speed_squared(s.value[C::rho], s.value[C::p], s.value[C::crushed]), s.shear);
+      s.value[C::rho], eos.wave_speed_squared(s.value[C::rho], s.value[C::p], s.value[C::crushed]), s.shear);
   return s;
 }
 

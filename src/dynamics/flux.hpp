@@ -160,12 +160,12 @@ int complete_side(const AnyEos& eos, const StateBounds& bounds, const Row<Dim>& 
   double* p = w.value[C::p] + from;
 #pragma omp simd
   for (int i = 0; i < in.count; ++i) p[i] = normal_deviator<Dim, Axis>(w.value, i + from) - stress[i];
-  eos.sound_speeds_squared(rho, p, crushed, static_cast<std::size_t>(in.count), sound);
+  eos.wave_speeds_squared(rho, p, crushed, static_cast<std::size_t>(in.count), sound);
   int bad = find_longitudinal_speeds(bounds, rho, own, shear, in.count, sound);
   if (bad == 0) return 0;
   for (int i = 0; i < in.count; ++i) {
     double* value = &w.value[0][i + from];
-    if (bounds.admit(value[0], own[i], eos.sound_speed_squared(value[0], p[i], crushed[i]))) continue;
+    if (bounds.admit(value[0], own[i], eos.wave_speed_squared(value[0], p[i], crushed[i]))) continue;
     const std::ptrdiff_t k = in.first + i + shift;
     const bool with_voids = in.failed && in.failed[k] == with_void;  // left to solve_failed_faces()
     if (with_voids || (in.role && (in.role[k] & regular) == 0)) --bad;
@@ -173,7 +173,7 @@ int complete_side(const AnyEos& eos, const StateBounds& bounds, const Row<Dim>& 
       value[c * FaceValues<Dim>::room] = in.primitive[c * in.cells + k];
     w.stress[i + from] = in.stress[k];
     sound[i] =
-        bounds.longitudinal_speed(value[0], eos.sound_speed_squared(value[0], p[i], crushed[i]), shear[i]);
+        bounds.longitudinal_speed(value[0], eos.wave_speed_squared(value[0], p[i], crushed[i]), shear[i]);
   }
   return bad;
 }

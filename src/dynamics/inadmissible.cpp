@@ -21,15 +21,16 @@ constexpr double error_of_motion = 0.2;    // of u^2, by which -c^2 of a gas may
 
 /// Of failed matter only the density is judged, and only from above: the rest of its cell is a void.
 /// @param fails whether the matter can fail: if not, its damage does not count.
+/// @param densest its largest_density() [kg/m3]
 template <int Dim, class EosModel>
 [[gnu::always_inline]] inline bool beyond_equations(const EosModel& eos, const Contents<Dim>& q,
-                                                    double volume, bool fails) {
+                                                    double volume, bool fails, double densest) {
   using C = Components<Dim>;
   const double rho = q[C::rho] / volume;
   const auto& matter = frozen(eos, q[C::crushed] / q[C::rho]);
   const DensityRange range = density_range(matter);
   const bool failed = fails & (q[C::damage] > 0) & (q[C::damage] >= failed_damage * q[C::rho]);
-  const bool possible = (rho > range.least * matter.rho0) & (rho < range.most * matter.rho0);
+  const bool not_too_dense = (rho < range.most * matter.rho0) & (rho < densest);
   double momentum2 = 0;
   for (std::size_t d = 0; d < Dim; ++d) momentum2 += q[C::u + d] * q[C::u + d];
   const double p = matter.pressure(rho, (q[C::energy] - 0.5 * momentum2 / q[C::rho]) / q[C::rho]);
@@ -40,8 +41,8 @@ template <int Dim, class EosModel>
   const double u2 = momentum2 / (q[C::rho] * q[C::rho]);
   const double least_c2 =
       is_fluid<EosModel>() ? -admissible_sound * c0 * c0 - error_of_motion * u2 : least * c0 * c0;
-  const bool good = possible & (c2 >= least_c2) & std::isfinite(c2),
-             dust = failed & (rho > 0) & (rho < range.most * matter.rho0);
+  const bool good = not_too_dense & (rho > range.least * matter.rho0) & (c2 >= least_c2) & std::isfinite(c2),
+             dust = failed & (rho > 0) & not_too_dense;
   return !(good | dust);  // true for NaN
 }
 
@@ -52,6 +53,7 @@ struct JudgedRow {
   std::size_t n;
   const double* least;  // volumes from which on they are judged
   bool fails;
+  double densest;  // kg/m3
 };
 
 template <int Dim, class EosModel>
@@ -62,7 +64,8 @@ template <int Dim, class EosModel>
   for (std::size_t j = 0; j <= C::energy; ++j) q[j] = from[j * row.n];
   if constexpr (has_pores<EosModel>()) q[C::crushed] = from[C::crushed * row.n];
   q[C::damage] = from[C::damage * row.n];
-  return (row.volume[c] > row.least[c]) & beyond_equations<Dim>(eos, q, row.volume[c], row.fails);
+  return (row.volume[c] > row.least[c]) &
+         beyond_equations<Dim>(eos, q, row.volume[c], row.fails, row.densest);
 }
 
 /// The row is a copy: of one that is somewhere else the compiler does not know that it stays as it is, and
@@ -100,6 +103,7 @@ std::int64_t mark_rows(const EosModel& eos, const State<Dim>& state, BodyBlock<D
   const Index<Dim> lo = state.mesh.block(slot).cells.lo;
   Box<Dim> rows = b.matter;
   const int width = rows.extent(0);
+  const double densest = eos.largest_density();
   rows.hi[0] = std::min(rows.hi[0], rows.lo[0] + 1);
   std::array<double, Window<Dim>::longest> least;  // by column
   Index<Dim> column = rows.lo;
@@ -109,8 +113,8 @@ std::int64_t mark_rows(const EosModel& eos, const State<Dim>& state, BodyBlock<D
     const auto k = static_cast<std::size_t>(grid.layout().at(i - lo));
     std::uint8_t* role = b.role.data() + k;
     for (int c = 0; c < width; ++c) role[c] &= static_cast<std::uint8_t>(~has_bad_contents);
-    const JudgedRow<Dim> row{b.contents.data() + k, b.volume.data() + k, b.volume.size(), least.data(),
-                             fails};
+    const JudgedRow<Dim> row{
+        b.contents.data() + k, b.volume.data() + k, b.volume.size(), least.data(), fails, densest};
     if (!any_inadmissible(eos, row, width)) return;
     for (int c = 0; c < width; ++c) {
       if (!is_inadmissible(eos, row, c)) continue;
@@ -129,8 +133,11 @@ std::int64_t mark_rows(const EosModel& eos, const State<Dim>& state, BodyBlock<D
 
 template <int Dim>
 bool inadmissible(const Material& material, const Contents<Dim>& contents, double volume) {
-  return std::visit([&](const auto& eos) { return beyond_equations<Dim>(eos, contents, volume, true); },
-                    material.eos);
+  return std::visit(
+      [&](const auto& eos) {
+        return beyond_equations<Dim>(eos, contents, volume, true, eos.largest_density());
+      },
+      material.eos);
 }
 
 template <int Dim>

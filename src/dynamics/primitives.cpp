@@ -300,13 +300,14 @@ RECOIL_MULTIVERSION [[gnu::flatten]] bool row_signal(const EosModel& eos, Signal
   for (int c = 0; c < count; ++c) {
     const double* w = row.average + c;
     const double rho = w[0],
-                 c2 = frozen(eos, w[C::crushed * row.n]).sound_speed_squared(rho, w[C::p * row.n]);
+                 c2 = frozen(eos, w[C::crushed * row.n]).sound_speed_squared(rho, w[C::p * row.n]),
+                 wave2 = wave_speed_squared(frozen(eos, w[C::crushed * row.n]), rho, w[C::p * row.n]);
     double sum = 0;
     for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(w[(C::u + d) * row.n]);
     const bool counts = (row.role[c] & regular) != 0,
                usual = std::isfinite(sum + c2) & (rho > 0) &
                        frozen(eos, w[C::crushed * row.n]).admissible(rho) & (c2 >= least);
-    sum += sound * std::sqrt((c2 > least ? c2 : least) + 4 * g / (3 * rho));
+    sum += sound * std::sqrt((wave2 > least ? wave2 : least) + 4 * g / (3 * rho));
     odd |= counts & !usual ? 1 : 0;
     most = counts & usual & (sum > most) ? sum : most;
   }
@@ -358,7 +359,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
           if ((b.role[k] & regular) == 0) return;
           const double rho = b.average[k], p = b.average[C::p * n + k];
           const auto& matter = frozen(eos, b.average[C::crushed * n + k]);
-          const double c2 = matter.sound_speed_squared(rho, p);
+          const double c2 = matter.sound_speed_squared(rho, p), wave2 = wave_speed_squared(matter, rho, p);
           double sum = 0;
           for (std::size_t d = 0; d < Dim; ++d) sum += std::abs(b.average[(C::u + d) * n + k]);
           const bool dust = fails && has_void(b, k);
@@ -369,8 +370,7 @@ double fastest_signal(const State<Dim>& state, const Body<Dim>& body, int slot, 
             sum = std::max(sum, swept_speed(state, grid.centre(i)));
           const double shear = follows ? modulus_in(k) : g;
           const double still = sum;
-          sum +=
-              (dust ? sound_of_dust : sound) * std::sqrt((c2 > least ? c2 : least) + 4 * shear / (3 * rho));
+          sum += (dust ? sound_of_dust : sound) * std::sqrt(std::max(wave2, least) + 4 * shear / (3 * rho));
           if (is_fluid(body.material.eos) && b.phi[k] > -near_front * grid.dx)
             if (const auto front = gas_isentrope(body.material.eos, rho, p, 0))
               sum = std::max(sum, still + front->speed);

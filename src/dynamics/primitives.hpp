@@ -12,7 +12,7 @@ namespace recoil {
 
 /// Failed matter may be as thin as this part of its density at rest, since most of it may be void; what is
 /// thinner is of no use to fits and stencils.
-inline constexpr double thinnest_failed = 1e-3;
+inline constexpr double thinnest_failed = 1e-5;
 
 /// Contents per volume of one cell to primitives.
 template <int Dim, class EosModel>

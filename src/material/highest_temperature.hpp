@@ -21,6 +21,7 @@ class HighestTemperature {
     if (const auto* m = std::get_if<MieGruneisen>(&eos)) {
       gamma0_ = m->gamma0;
       rho0_ = m->rho0;
+      lowest_ = MieGruneisen::straight_to * rho0_;
     } else if (!std::holds_alternative<LinearEos>(eos)) {
       initial_ = infinite;
     }
@@ -28,7 +29,7 @@ class HighestTemperature {
 
   /// Arguments of TemperatureLaw.
   [[gnu::always_inline]] double operator()(double rho, double e, double heat) const {
-    const double x = gamma0_ * (1 - rho0_ / rho);
+    const double x = gamma0_ * (1 - rho0_ / (rho > lowest_ ? rho : lowest_));
     double most = initial_ / (1 - x) + e * per_energy_ + heat * by_heat_;
     if (!(x < 1)) most = infinite;
     return most;
@@ -37,6 +38,7 @@ class HighestTemperature {
  private:
   double initial_, per_energy_ = 0, by_heat_ = 0;  // K; kg K/J; 1 where plastic work alone heats
   double gamma0_ = 0, rho0_ = 1;  // of Mie and Grueneisen; gamma0 = 0: the isentrope stays at T0
+  double lowest_ = 0;             // kg/m3, where its closed form ends; below it the isentrope is colder
 };
 
 }  // namespace recoil

@@ -15,6 +15,8 @@ void TemperatureLaw::tabulate(const Model& eos) {
 void TemperatureLaw::tabulate(const MieGruneisen& eos) {
   gamma0_ = eos.gamma0;
   fill(eos);
+  tabulate_growth(eos);
+  closed_from_ = MieGruneisen::straight_to * eos.rho0;
 }
 void TemperatureLaw::tabulate(const IdealGas& eos) {  // whose densities go beyond any table
   rho0_ = eos.rho0;
@@ -59,6 +61,7 @@ void TemperatureLaw::tabulate_growth(const Model& eos) {
     constexpr double step = 1e3;  // J/kg
     return (eos.pressure(rho, e + step) - eos.pressure(rho, e - step)) / (2 * step * rho * rho);
   };
+  closed_from_ = infinite;
   growth_.assign(table_.size(), 0.0);
   const int last = static_cast<int>(table_.size()) - 1;
   const auto add = [&](int from, int to) {

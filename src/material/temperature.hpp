@@ -125,7 +125,8 @@ class TemperatureLaw {
   double on_isentrope(double rho) const {
     if (own_) return own_->temperature(rho, isentrope(rho));
     if (gas_power_ > 0) return thermal_.initial_temperature * std::pow(rho / rho0_, gas_power_);
-    if (!growth_.empty()) return thermal_.initial_temperature * std::exp(interpolated(growth_, rho));
+    if (!growth_.empty() && rho < closed_from_)
+      return thermal_.initial_temperature * std::exp(interpolated(growth_, rho));
     return thermal_.initial_temperature * std::exp(gamma0_ * (1 - rho0_ / rho));
   }
 
@@ -187,7 +188,8 @@ class TemperatureLaw {
   double lowest_ = 0, spacing_ = 1;        // kg/m3
   int rest_ = 0;                           // place of rest in the table
   std::vector<double> table_{0.0, 0.0};    // J/kg
-  std::vector<double> growth_;             // ln(T_s/T0); empty: by gamma0_
+  std::vector<double> growth_;             // ln(T_s/T0) ...
+  double closed_from_ = 0;                 // kg/m3; ... below this density; from there on by gamma0_
   std::shared_ptr<const EosTable> own_;    // a table that has the temperature; null: none
 };
 

@@ -8,6 +8,7 @@
 #include "cutcell/around_small.hpp"
 #include "cutcell/moves.hpp"
 #include "cutcell/redistribution.hpp"
+#include "cutcell/surface_exchange.hpp"
 #include "dynamics/block_update.hpp"
 #include "dynamics/open_voids.hpp"
 #include "dynamics/plastic_return.hpp"

@@ -17,10 +17,10 @@ RECOIL_MULTIVERSION void fill_energies(const Model& model, const double* rho, co
 }
 
 template <class Model>
-RECOIL_MULTIVERSION void fill_sound_speeds(const Model& model, const double* rho, const double* p,
-                                           const double* crushed, std::size_t count, double* c2) {
+RECOIL_MULTIVERSION void fill_wave_speeds(const Model& model, const double* rho, const double* p,
+                                          const double* crushed, std::size_t count, double* c2) {
 #pragma GCC ivdep
-  for (std::size_t i = 0; i < count; ++i) c2[i] = frozen(model, crushed[i]).sound_speed_squared(rho[i], p[i]);
+  for (std::size_t i = 0; i < count; ++i) c2[i] = wave_speed_squared(frozen(model, crushed[i]), rho[i], p[i]);
 }
 
 }  // namespace
@@ -30,9 +30,14 @@ void AnyEos::energies(const double* rho, const double* p, const double* crushed,
   std::visit([=](const auto& model) { fill_energies(model, rho, p, crushed, count, e); }, eos);
 }
 
-void AnyEos::sound_speeds_squared(const double* rho, const double* p, const double* crushed,
-                                  std::size_t count, double* c2) const {
-  std::visit([=](const auto& model) { fill_sound_speeds(model, rho, p, crushed, count, c2); }, eos);
+double AnyEos::wave_speed_squared(double rho, double p, double crushed) const {
+  return std::visit(
+      [=](const auto& model) { return recoil::wave_speed_squared(frozen(model, crushed), rho, p); }, eos);
+}
+
+void AnyEos::wave_speeds_squared(const double* rho, const double* p, const double* crushed, std::size_t count,
+                                 double* c2) const {
+  std::visit([=](const auto& model) { fill_wave_speeds(model, rho, p, crushed, count, c2); }, eos);
 }
 
 }  // namespace recoil

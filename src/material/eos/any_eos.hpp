@@ -17,15 +17,13 @@ struct AnyEos {
 
   // Single states: each call finds out anew which equation of state it is.
   double energy(double rho, double p, double crushed) const { return recoil::energy(eos, rho, p, crushed); }
-  double sound_speed_squared(double rho, double p, double crushed) const {
-    return recoil::sound_speed_squared(eos, rho, p, crushed);
-  }
+  double wave_speed_squared(double rho, double p, double crushed) const;
 
   // `count` states, adjacent in memory. Only where there are pores is `crushed` read.
   void energies(const double* rho, const double* p, const double* crushed, std::size_t count,
                 double* e) const;
-  void sound_speeds_squared(const double* rho, const double* p, const double* crushed, std::size_t count,
-                            double* c2) const;
+  void wave_speeds_squared(const double* rho, const double* p, const double* crushed, std::size_t count,
+                           double* c2) const;
 };
 
 inline double bulk_sound_speed(const AnyEos& any) { return bulk_sound_speed(any.eos); }

@@ -2,13 +2,19 @@
 
 #include <array>
 
+#include "material/eos/density_range.hpp"
 #include "material/parameter.hpp"
 
 namespace recoil {
 
-/// Mie-Grueneisen with the principal Hugoniot U_s = c0 + s u_p as its reference, Gamma rho constant:
-///   p = Gamma0 rho0 e + f(rho),  Phi = 1 - rho0/rho,
+/// Mie-Grueneisen with the principal Hugoniot U_s = c0 + s u_p as its reference:
+///   p = Gamma rho e + f(rho),  Gamma rho = Gamma0 rho0,  Phi = 1 - rho0/rho,
 ///   f = rho0 c0^2 Phi/(1 - s Phi)^2 (1 - Gamma0 Phi/2) in compression, c0^2 (rho - rho0) in expansion.
+/// The latter is p = Gamma rho (e - e_b), e_b = c0^2/Gamma0 (1 - rho/rho0): at c0^2/Gamma0 matter evaporates.
+/// Below 0.9 rho0, where a constant Gamma rho would give thin matter any tension and any pressure, it falls
+/// with x = rho/(0.9 rho0),
+///   Gamma rho = Gamma0 rho0 (1 - (1 - x)^2 (1 + 2 (1 - h) x)),  h = min(1/2, 0.1125/Gamma0),
+/// so that Gamma ends at 0.25 (ours: docs/decisions/0072).
 /// e [J/kg] is zero at rho0 and zero pressure. All functions are free of branches: loops over arrays
 /// of cells call them and must vectorise. See docs/theory.md, equation of state.
 struct MieGruneisen {
@@ -22,6 +28,11 @@ struct MieGruneisen {
   static constexpr bool barotropic = false;
   /// 1 - s Phi is kept from going below this; states beyond are not admissible().
   static constexpr double guard = 0.1;
+  /// Density, as a part of that at rest, below which Gamma rho falls.
+  static constexpr double straight_to = 0.9;
+
+  static constexpr bool evaporates() { return true; }
+  static constexpr DensityRange range{0.001, 2.5};
 
   static constexpr auto parameters() {
     using P = Parameter<MieGruneisen>;
@@ -32,15 +43,18 @@ struct MieGruneisen {
   }
 
   /// Pressure [Pa] at density rho [kg/m3] and specific internal energy e [J/kg].
-  constexpr double pressure(double rho, double e) const { return gamma0 * rho0 * e + cold(rho); }
+  constexpr double pressure(double rho, double e) const { return gamma0 * rho0 * fall(rho) * e + cold(rho); }
 
   /// Specific internal energy [J/kg] at density rho and pressure p [Pa].
-  constexpr double energy(double rho, double p) const { return (p - cold(rho)) / (gamma0 * rho0); }
+  constexpr double energy(double rho, double p) const {
+    return (p - cold(rho)) / (gamma0 * rho0 * fall(rho));
+  }
 
-  /// (dp/drho) at constant entropy [m2/s2]: f'(rho) + Gamma0 rho0 p/rho^2. No floor: negative where
+  /// (dp/drho) at constant entropy [m2/s2]: f' + (Gamma rho)' e + Gamma rho p/rho^2. No floor: negative where
   /// the state is unstable.
   constexpr double sound_speed_squared(double rho, double p) const {
-    return cold_slope(rho) + gamma0 * rho0 * p / (rho * rho);
+    const double thinner = (p - cold(rho)) * fall_slope(rho) / fall(rho);
+    return cold_slope(rho) + thinner + gamma0 * rho0 * fall(rho) * p / (rho * rho);
   }
 
   /// Whether the equation of state means anything at this density.
@@ -57,7 +71,7 @@ struct MieGruneisen {
     const double phi = 1 - rho0 / rho;
     const double d = guarded(1 - s * phi);
     const double compressed = rho0 * c0 * c0 * phi * (1 - 0.5 * gamma0 * phi) / (d * d);
-    const double expanded = c0 * c0 * (rho - rho0);
+    const double expanded = c0 * c0 * (rho - rho0) * fall(rho);
     return phi >= 0 ? compressed : expanded;
   }
 
@@ -67,10 +81,28 @@ struct MieGruneisen {
     const double phi = 1 - x;
     const double d = guarded(1 - s * phi);
     const double by_phi = ((1 - gamma0 * phi) * d + 2 * s * phi * (1 - 0.5 * gamma0 * phi)) / (d * d * d);
-    return phi >= 0 ? c0 * c0 * by_phi * x * x : c0 * c0;
+    const double expanded = c0 * c0 * (fall(rho) + (rho - rho0) * fall_slope(rho));
+    return phi >= 0 ? c0 * c0 * by_phi * x * x : expanded;
   }
 
  private:
+  /// rho/(0.9 rho0), from something above 0 to 1.
+  constexpr double part(double rho) const {
+    const double x = rho / (straight_to * rho0);
+    return x < 1 ? (x > 1e-9 ? x : 1e-9) : 1;
+  }
+  /// h of Gamma rho.
+  constexpr double gas_part() const { return gamma0 > 0.225 ? 0.1125 / gamma0 : 0.5; }
+  /// Gamma rho by that at rest.
+  constexpr double fall(double rho) const {
+    const double x = part(rho);
+    return 1 - (1 - x) * (1 - x) * (1 + 2 * (1 - gas_part()) * x);
+  }
+  /// Its slope [m3/kg].
+  constexpr double fall_slope(double rho) const {
+    const double x = part(rho), k = 2 * (1 - gas_part());
+    return (1 - x) * (2 - k + 3 * k * x) / (straight_to * rho0);
+  }
   static constexpr double guarded(double d) { return d > guard ? d : guard; }
 };
 

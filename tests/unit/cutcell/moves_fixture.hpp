@@ -6,6 +6,7 @@
 #include "../core/dimensions.hpp"
 #include "bodies.hpp"
 #include "cutcell/moves.hpp"
+#include "cutcell/surface_exchange.hpp"
 
 namespace recoil {
 

@@ -102,6 +102,57 @@ TEST(MieGruneisen, ReproducesItsHugoniot) {
     }
 }
 
+/// Down to 0.9 of the density at rest nothing but the straight line of the references.
+TEST(MieGruneisen, IsStraightDownToANinthBelowRest) {
+  for (const MieGruneisen& eos : samples::of(MieGruneisen{}))
+    for (const double x : {0.9, 0.95, 0.99}) {
+      const double rho = x * eos.rho0, line = eos.c0 * eos.c0 * (rho - eos.rho0);
+      EXPECT_NEAR(eos.cold(rho), line, 1e-14 * eos.rho0 * eos.c0 * eos.c0);
+      EXPECT_NEAR(eos.pressure(rho, 1e6), line + eos.gamma0 * eos.rho0 * 1e6, 1e-6);
+    }
+  const MieGruneisen eos{8930, 3940, 1.49, 2.0};
+  const double h = 1e-7 * eos.rho0, at = 0.9 * eos.rho0;
+  EXPECT_NEAR(eos.cold_slope(at - h), eos.cold_slope(at + h), 1e-6 * eos.c0 * eos.c0);
+}
+
+/// On the isentrope through rest tension ends, and matter comes near to the energy that evaporates it; what
+/// is hotter and thin is a gas of Grueneisen coefficient 0.25.
+TEST(MieGruneisen, ExpandsIntoAGas) {
+  for (const MieGruneisen& eos : samples::of(MieGruneisen{})) {
+    const double bulk = eos.rho0 * eos.c0 * eos.c0, h = 1e-4 * eos.rho0,
+                 evaporation = eos.c0 * eos.c0 / eos.gamma0;
+    double energy = 0, least = 0;
+    for (double rho = eos.rho0; rho > 2e-3 * eos.rho0; rho -= h) {
+      const double half = energy - 0.5 * h * eos.pressure(rho, energy) / (rho * rho), middle = rho - 0.5 * h;
+      energy -= h * eos.pressure(middle, half) / (middle * middle);
+      least = std::min(least, eos.pressure(rho - h, energy));
+    }
+    EXPECT_GT(energy, 0.9 * evaporation);
+    EXPECT_LT(energy, evaporation);
+    EXPECT_LT(least, -0.15 * bulk);
+    EXPECT_GT(least, -0.20 * bulk);
+    const double thin = 1.5e-3 * eos.rho0, p = eos.pressure(thin, 2 * evaporation);
+    EXPECT_NEAR(p / (thin * evaporation), 0.25, 0.02);
+    EXPECT_NEAR(eos.sound_speed_squared(thin, p) / (1.25 * p / thin), 1, 0.05);
+  }
+}
+
+/// In the loop between liquid and vapour matter has pressure and no speed of sound.
+TEST(Eos, WavesOfEvaporatingMatterRunAtLeastAsInAGas) {
+  const MieGruneisen copper{8930, 3940, 1.49, 2.0};
+  int loops = 0;
+  for (double x = 0.02; x < 0.8; x += 0.02)
+    for (const double e : {4e6, 6e6, 8e6}) {
+      const double rho = x * copper.rho0, p = copper.pressure(rho, e),
+                   c2 = copper.sound_speed_squared(rho, p);
+      if (p > 0 && c2 < 0) ++loops;
+      EXPECT_EQ(wave_speed_squared(copper, rho, p), std::max(c2, p / rho));
+    }
+  EXPECT_GT(loops, 0);
+  const LinearEos solid{8930, 130e9};
+  EXPECT_EQ(wave_speed_squared(solid, 8000.0, -1e9), solid.sound_speed_squared(8000.0, -1e9));
+}
+
 TEST(MieGruneisen, IsNotAdmissibleWhereTheHugoniotEnds) {
   const MieGruneisen eos{8930, 3940, 1.49, 2.0};
   EXPECT_TRUE(eos.admissible(0.999 * eos.largest_density()));
