@@ -12,6 +12,7 @@
 #include "cutcell/around_small.hpp"
 #include "cutcell/moves.hpp"
 #include "cutcell/redistribution.hpp"
+#include "cutcell/surface_exchange.hpp"
 #include "state/sent_cells.hpp"
 
 /// What processes do not send each other of contents, the phases that it is sent for do not read.
