@@ -65,10 +65,10 @@ TYPED_TEST(Voids, DoNotFillCellsThatHoldNextToNothing) {
   auto state = this->filled(1, 0);
   for_each_piece(state, 0, [&](auto& b, const auto&, std::size_t k) {
     const std::size_t n = b.volume.size();
-    b.volume[k] *= 1e-3, b.phi[k] = -5 * this->grid.dx;
-    for (std::size_t c = 0; c < TestFixture::C::contents; ++c) b.contents[c * n + k] *= 1e-3;
+    b.volume[k] *= 1e-5, b.phi[k] = -5 * this->grid.dx;
+    for (std::size_t c = 0; c < TestFixture::C::contents; ++c) b.contents[c * n + k] *= 1e-5;
   });
-  this->expect(state, 1e-3);
+  this->expect(state, 1e-5);
 }
 
 /// Matter that has not failed is filled up only where the level set knows no way outwards.

@@ -92,7 +92,7 @@ TYPED_TEST(States, RolesFollowTheVolume) {
   }
   EXPECT_EQ(this->counters.fragments_too_thin, 0);
   auto thin = q;
-  thin[0] *= 0.1;  // nearly no mass in the volume
+  thin[0] *= 1e-4;  // nearly no mass in the volume
   set_piece(b, 2, full, thin);
   choose_roles(state, state.bodies[0], 0, this->counters);
   EXPECT_EQ(b.role[2], 0);
@@ -105,7 +105,7 @@ TYPED_TEST(States, ThinMatterFarFromSurfacesHasAValue) {
   constexpr int dim = TestFixture::dim;
   const auto w = some_primitives<dim>(this->material);
   auto thin = w;
-  thin[0] *= 0.1;
+  thin[0] *= 1e-4;
   for (const double cells : {far_cells - 0.01, far_cells}) {
     auto state = this->uniform(w, cells);
     auto& b = state.bodies[0].at(0);
