@@ -137,19 +137,17 @@ TEST(MieGruneisen, ExpandsIntoAGas) {
   }
 }
 
-/// In the loop between liquid and vapour matter has pressure and no speed of sound.
+/// Vapour of a material of small Grueneisen coefficient may have less than p/rho.
 TEST(Eos, WavesOfEvaporatingMatterRunAtLeastAsInAGas) {
-  const MieGruneisenCubic copper = samples::of(MieGruneisenCubic{})[4];
-  ASSERT_TRUE(evaporates(copper));
-  int loops = 0;
-  for (double x = 0.02; x < 0.9; x += 0.02)
-    for (double e = 1e6; e < 6e6; e += 2e5) {
-      const double rho = x * copper.rho0, p = copper.pressure(rho, e),
-                   c2 = copper.sound_speed_squared(rho, p);
-      if (p > 0 && c2 < 0) ++loops;
-      EXPECT_EQ(wave_speed_squared(copper, rho, p), std::max(c2, p / rho));
+  const MieGruneisen ptfe{2147, 1682, 1.819, 0.59};
+  int slower = 0;
+  for (double x = 0.01; x < 1; x += 0.01)
+    for (double e = 1e6; e < 2e7; e += 5e5) {
+      const double rho = x * ptfe.rho0, p = ptfe.pressure(rho, e), c2 = ptfe.sound_speed_squared(rho, p);
+      if (p > 0 && c2 < p / rho) ++slower;
+      EXPECT_EQ(wave_speed_squared(ptfe, rho, p), std::max(c2, p / rho));
     }
-  EXPECT_GT(loops, 0);
+  EXPECT_GT(slower, 0);
   const LinearEos solid{8930, 130e9};
   EXPECT_EQ(wave_speed_squared(solid, 8000.0, -1e9), solid.sound_speed_squared(8000.0, -1e9));
 }
