@@ -121,8 +121,8 @@ bool evaporates(const Model& eos) {
     return is_fluid<Model>();
 }
 
-/// The c^2 that waves run with [m2/s2]: of matter that evaporates at least p/rho, that of an isothermal gas. In the loop between liquid and vapour, which has pressure and no sound speed, a wave of
-/// hardly any impedance would throw matter out at many times the speed of sound (docs/decisions/0072).
+/// The c^2 that waves run with [m2/s2]: of what evaporates at least p/rho, that of an isothermal gas. With
+/// hardly any impedance it would be thrown out at many times the speed of sound (docs/decisions/0072).
 template <class Model>
 double wave_speed_squared(const Model& eos, double rho, double p) {
   const double c2 = eos.sound_speed_squared(rho, p), free = p / rho;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "cutcell/taken_volume.hpp"
 #include "dynamics/primitives.hpp"
