@@ -14,7 +14,8 @@ namespace recoil {
 
 namespace {
 
-constexpr double least_judged = 0.02;      // part of a cell below which a state is not judged
+constexpr double least_judged = 0.02;  // part of a cell below which a state is not judged
+constexpr double whole = 0.98;  // ... and from which on a density beyond the Hugoniot is no error of one
 constexpr double admissible_sound = 0.02;  // least c^2 of a solid, of c0^2 ...
 constexpr double sound_of_vapour = 1e-6;   // ... and of what evaporates
 constexpr double error_of_motion = 0.2;    // of u^2, by which -c^2 of a gas may be larger
@@ -64,8 +65,10 @@ template <int Dim, class EosModel>
   for (std::size_t j = 0; j <= C::energy; ++j) q[j] = from[j * row.n];
   if constexpr (has_pores<EosModel>()) q[C::crushed] = from[C::crushed * row.n];
   q[C::damage] = from[C::damage * row.n];
-  return (row.volume[c] > row.least[c]) &
-         beyond_equations<Dim>(eos, q, row.volume[c], row.fails, row.densest);
+  // A fragment may be too dense by the error of its volume. A whole cell is so where matter is too fast for
+  // its equation of state: that stops the run (choose_roles()).
+  const double densest = row.volume[c] < whole / least_judged * row.least[c] ? row.densest : infinite;
+  return (row.volume[c] > row.least[c]) & beyond_equations<Dim>(eos, q, row.volume[c], row.fails, densest);
 }
 
 /// The row is a copy: of one that is somewhere else the compiler does not know that it stays as it is, and

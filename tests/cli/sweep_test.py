@@ -113,7 +113,7 @@ class Sweep(Program):
         self.assertEqual(table(self.out / "threshold.csv")[0]["holds"], "nowhere")
 
     def test_a_run_that_fails_is_in_the_table(self):
-        said = self.sweep("--set", SPEED + "20km/s,450m/s", "--quantity", "run.steps")
+        said = self.sweep("--set", SPEED + "35km/s,450m/s", "--set", "time.end=6us", "--quantity", "run.steps")
         self.expect(said, 3, "failed", "error: ", ".log", "| - |")
         self.assertEqual([row["verdict"] for row in table(self.out / "sweep.csv")], ["failed", "valid"])
 
