@@ -48,9 +48,10 @@ double volume_to_upper(const MovesView<Dim>& p, const Index<Dim>& i, const Index
   return std::clamp(flow, -room, room);
 }
 
-/// What flows between cell i and its upper neighbour along axis d. A cell gives at most an equal share of
-/// its mass and of the slack of its heat across each of its faces in the state of the cell that takes, and
-/// beyond that gives in its own.
+/// What flows between cell i and its upper neighbour along axis d: in the state of the fuller one. Across
+/// each of its 2 Dim faces a cell gives, in the state of another, at most so much that all faces together
+/// leave it half of its mass and no colder than by `slack` [J/kg]; where it would be more, it gives in its
+/// own state.
 template <int Dim>
 SurfaceFlow<Dim> flow_along_surface(const MovesView<Dim>& p, const Index<Dim>& i, int d, double slack) {
   Index<Dim> j = i;

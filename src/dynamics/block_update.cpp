@@ -42,14 +42,16 @@ bool may_lack_values(const Mesh<Dim>& mesh, const Body<Dim>& body, int slot) {
   });
 }
 
-/// Which cells of the window have a value, into Work::role; nothing where all have, far from a surface.
+/// What the cells of the window are good for, into Work::role; nothing where all are regular, far from a
+/// surface.
 template <int Dim>
 void gather_roles(const State<Dim>& state, const Body<Dim>& body, int slot, Work<Dim>& w, Scratch& scratch) {
   if (!may_lack_values(state.mesh, body, slot)) return;
   w.role = scratch.take<std::uint8_t>(w.wide);
   w.window.gather([&](int s) { return body.present(s) ? body.at(s).role.data() : nullptr; }, std::uint8_t{0},
                   Beyond::extend, w.role);
-  const bool all = std::all_of(w.role, w.role + w.wide, [](std::uint8_t r) { return (r & valued) != 0; });
+  const bool all = std::all_of(w.role, w.role + w.wide,
+                               [](std::uint8_t r) { return (r & (regular | valued)) == (regular | valued); });
   if (all && !body.at(slot).near_surface) w.role = nullptr;
 }
 

@@ -14,8 +14,8 @@ namespace recoil {
 
 namespace {
 
-constexpr double least_judged = 0.02;  // part of a cell below which a state is not judged
-constexpr double whole = 0.98;  // ... and from which on a density beyond the Hugoniot is no error of one
+constexpr double least_judged = 0.02;      // part of a cell below which a state is not judged
+constexpr double whole = 0.98;             // ... and from which on it is whole
 constexpr double admissible_sound = 0.02;  // least c^2 of a solid, of c0^2 ...
 constexpr double sound_of_vapour = 1e-6;   // ... and of what evaporates
 constexpr double error_of_motion = 0.2;    // of u^2, by which -c^2 of a gas may be larger

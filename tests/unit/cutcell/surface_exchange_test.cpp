@@ -56,8 +56,9 @@ TYPED_TEST(SurfaceExchange, LeavesNoNegativeStrain) {
   });
 }
 
-/// Vapour beside dense matter: in the state of that it would give more mass than it has, at another velocity.
-TYPED_TEST(SurfaceExchange, LeavesThinMatterHalfOfItsMassAndAllItsHeat) {
+/// Vapour beside dense matter. In the state of the dense cell it would give more mass than it has, at another
+/// velocity.
+TYPED_TEST(SurfaceExchange, LeavesThinMatterItsMassAndHeat) {
   constexpr int dim = TestFixture::dim;
   using C = Components<dim>;
   if (dim == 1) return;

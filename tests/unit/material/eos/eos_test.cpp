@@ -103,7 +103,7 @@ TEST(MieGruneisen, ReproducesItsHugoniot) {
 }
 
 /// Down to 0.9 of the density at rest nothing but the straight line of the references.
-TEST(MieGruneisen, IsStraightDownToANinthBelowRest) {
+TEST(MieGruneisen, IsStraightDownToNineTenthsOfRest) {
   for (const MieGruneisen& eos : samples::of(MieGruneisen{}))
     for (const double x : {0.9, 0.95, 0.99}) {
       const double rho = x * eos.rho0, line = eos.c0 * eos.c0 * (rho - eos.rho0);
