@@ -238,7 +238,7 @@ class Run(Program):
         self.assertEqual((summary["verdict"], summary["reasons"], summary["exit"]), ("valid", [], 0))
 
     def test_verdict_of_a_doubtful_run(self):
-        result, summary = self.flyer_at("6 km/s")
+        result, summary = self.flyer_at("5 km/s")
         self.expect(result, 6, "doubtful: ", "%")
         self.assertEqual((summary["verdict"], summary["exit"]), ("doubtful", 6))
         self.assertGreater(summary["reasons"][0]["value"], summary["reasons"][0]["limit"])

@@ -193,7 +193,7 @@ shape = { kind = "half-space", point = { x = "2.6 mm" }, normal = { x = -1 } }
 [body.scab]
 fragments-of = "target"
 """
-        cls.case.write_text(CASE.replace('"1.2 us"', '"5 us"').replace("keep = 9", "keep = 99") + more)
+        cls.case.write_text(CASE.replace('"1.2 us"', '"7 us"').replace("keep = 9", "keep = 99") + more)
         cls.run_case("1", "-n", "1", "-j", "1")
 
     @classmethod

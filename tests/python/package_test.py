@@ -279,9 +279,9 @@ class Sweep(Scratch):
         self.assertEqual(cfl, [0.5, 0.9] * 2)
 
     def test_a_run_that_is_stopped_has_a_row(self):
-        speeds = {"body.flyer.velocity.x": ["450 m/s", "20 km/s"]}
+        speeds = {"body.flyer.velocity.x": ["450 m/s", "35 km/s"]}
         table = recoil.sweep("flyer_al_cu", speeds, ["gauge.rear.velocity@0.6us"], "speeds",
-                             {**QUICK, "time.end": "0.6 us"})  # fmt: skip
+                             {**QUICK, "time.end": "4 us"})  # fmt: skip
         self.assertEqual(table["verdict"][1], "stopped")
         self.assertNotEqual(table["verdict"][0], "stopped")
         self.assertEqual(list(numpy.isnan(table["gauge.rear.velocity@0.6us"])), [False, True])
