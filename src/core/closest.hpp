@@ -33,9 +33,16 @@ inline int edit_distance(std::string_view a, std::string_view b) {
   return last[n];
 }
 
+/// edit_distance() between a word and the start of a longer candidate, of which the rest may be missing.
+inline int distance_to_start(std::string_view word, std::string_view candidate) {
+  int least = edit_distance(word, candidate.substr(0, word.size()));
+  if (!word.empty()) least = std::min(least, edit_distance(word, candidate.substr(0, word.size() - 1)));
+  return std::min(least, edit_distance(word, candidate.substr(0, word.size() + 1)));
+}
+
 /// Up to `count` of the candidates that `word` may have been meant as, the nearest first: those within a
-/// third of the word's length, and those that contain it. Of equally near ones those that look alike come
-/// first.
+/// third of the word's length, those that contain it, and those whose start is almost as near. Of equally
+/// near ones those that look alike come first.
 inline std::vector<std::string> nearest(std::string_view word, std::span<const std::string> candidates,
                                         std::size_t count = 3) {
   struct Found {
@@ -45,11 +52,12 @@ inline std::vector<std::string> nearest(std::string_view word, std::span<const s
   std::vector<Found> found;
   const int reach = std::max(1, static_cast<int>(word.size()) / 3);
   for (const std::string& c : candidates) {
-    const int d = edit_distance(word, c);
-    const bool inside = word.size() >= 3 && c.find(word) != std::string::npos;
+    const std::size_t at = word.size() >= 3 ? c.find(word) : std::string::npos;
     const bool other_start = word.empty() || c.empty() || word[0] != c[0];
-    if (d <= reach || inside)
-      found.push_back({inside ? std::min(d, reach) : d, 2 * other_start + (word.size() != c.size()), &c});
+    int d = edit_distance(word, c);
+    if (c.size() > word.size() + 1) d = std::min(d, distance_to_start(word, c) + 1);
+    if (at != std::string::npos) d = std::min(d, at == 0 ? 1 : reach);
+    if (d <= reach) found.push_back({d, 2 * other_start + (word.size() != c.size()), &c});
   }
   std::stable_sort(found.begin(), found.end(), [](const Found& p, const Found& q) {
     return p.distance != q.distance ? p.distance < q.distance : p.unlike < q.unlike;

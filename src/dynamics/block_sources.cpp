@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "core/constants.hpp"
@@ -31,31 +32,33 @@ void borrow_wall_values(const BodyBlock<Dim>& b, Work<Dim>& w) {
 
 /// Takes the widening of a cell off both r-columns of the gradient and the hoop stress off the radial force
 /// (theory: axisymmetry); the divergence keeps the raw r-weighted sums. `plane`: area of the fragment in the
-/// (r, z) plane.
+/// (r, z) plane. What is at rest (AtRest) has neither, as faces let nothing pass.
 template <int Dim>
-[[gnu::always_inline]] inline void take_off_widening(const double* value, std::size_t wide, double ur,
-                                                     double uz, double plane, double* gradient, double* rate,
-                                                     std::size_t n) {
+[[gnu::always_inline]] inline void take_off_widening(const AtRest& rest, const double* value,
+                                                     std::size_t wide, double ur, double uz, double plane,
+                                                     double* gradient, double* rate, std::size_t n) {
   using C = Components<Dim>;
   gradient[0] -= ur * plane;
-  gradient[Dim * n] -= uz * plane;
+  gradient[Dim * n] -= (std::abs(uz) <= rest.speed ? 0.0 : uz) * plane;
   const double hoop = -value[C::p * wide] - value[C::s * wide] - value[(C::s + 1) * wide];
-  rate[C::u * n] -= hoop * plane;
+  rate[C::u * n] -= (std::abs(hoop) <= rest.stress ? 0.0 : hoop) * plane;
 }
 
 /// take_off_widening() of a row of cells.
 template <int Dim>
-RECOIL_MULTIVERSION void take_off_widenings(int count, const double* value, std::size_t wide,
-                                            const double* ur, const double* uz, const double* plane,
-                                            double* gradient, double* rate, std::size_t n) {
+RECOIL_MULTIVERSION void take_off_widenings(const AtRest& at_rest, int count, const double* value,
+                                            std::size_t wide, const double* ur, const double* uz,
+                                            const double* plane, double* gradient, double* rate,
+                                            std::size_t n) {
+  const AtRest rest = at_rest;
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i)
-    take_off_widening<Dim>(value + i, wide, ur[i], uz[i], plane[i], gradient + i, rate + i, n);
+    take_off_widening<Dim>(rest, value + i, wide, ur[i], uz[i], plane[i], gradient + i, rate + i, n);
 }
 
 /// A cut cell reads the velocity from its wall where its r-faces are not open.
 template <int Dim>
-void axisymmetric_cut(const Wall<Dim>& wall, const CutCell<Dim>& cut, Work<Dim>& w) {
+void axisymmetric_cut(const AtRest& rest, const Wall<Dim>& wall, const CutCell<Dim>& cut, Work<Dim>& w) {
   using C = Components<Dim>;
   const Index<Dim> i = w.window.index_of(cut.cell);
   const int k = w.cells.at(i);
@@ -73,12 +76,12 @@ void axisymmetric_cut(const Wall<Dim>& wall, const CutCell<Dim>& cut, Work<Dim>&
     ur = wall.value[C::u] + dot(wall.gradient[C::u], r);
     uz = wall.value[C::u + 1] + dot(wall.gradient[C::u + 1], r);
   }
-  take_off_widening<Dim>(value, w.wide, ur, uz, cut.plane_area, w.gradient + k, w.rate + k, w.n);
+  take_off_widening<Dim>(rest, value, w.wide, ur, uz, cut.plane_area, w.gradient + k, w.rate + k, w.n);
 }
 
 /// Hoop terms of a block: whole cells row by row, then the cut ones.
 template <int Dim>
-void axisymmetric_sources(const BodyBlock<Dim>& b, Work<Dim>& w) {
+void axisymmetric_sources(const AtRest& rest, const BodyBlock<Dim>& b, Work<Dim>& w) {
   using C = Components<Dim>;
   Box<Dim> rows = w.cells;
   rows.hi[0] = rows.lo[0] + 1;
@@ -98,12 +101,13 @@ void axisymmetric_sources(const BodyBlock<Dim>& b, Work<Dim>& w) {
                                   : b.geometry.kind[cell + i] == CellKind::full;
         plane[i] = full ? area : 0;
       }
-      take_off_widenings<Dim>(count, value, w.wide, ur, uz, plane.data(), w.gradient + k, w.rate + k, w.n);
+      take_off_widenings<Dim>(rest, count, value, w.wide, ur, uz, plane.data(), w.gradient + k, w.rate + k,
+                              w.n);
     }
   });
   if (w.whole) return;
   for (std::size_t m = 0; m < b.geometry.cuts.size(); ++m)
-    axisymmetric_cut(b.walls[m], b.geometry.cuts[m], w);
+    axisymmetric_cut(rest, b.walls[m], b.geometry.cuts[m], w);
 }
 
 /// 2 G dev D + W S - S W of one cell, integrated over the fragment. L[(i * Dim + j) * n]: integral of
@@ -254,7 +258,7 @@ void add_sources(const Body<Dim>& body, int slot, Work<Dim>& w, Scratch& scratch
     trace[k] = sum;
   }
   if constexpr (Dim == 2)
-    if (w.grid.axisymmetric) axisymmetric_sources(b, w);
+    if (w.grid.axisymmetric) axisymmetric_sources(AtRest(AnyEos{body.material.eos}), b, w);
   if (!has_strength(body.material.strength)) return;
   Box<Dim> rows = w.cells;
   rows.hi[0] = rows.lo[0] + 1;

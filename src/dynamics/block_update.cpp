@@ -108,6 +108,35 @@ void find_shear_moduli(const Body<Dim>& body, Work<Dim>& w, Scratch& scratch) {
   }
 }
 
+/// Whether all matter in the window is at rest and without stress, so that no face of it lets anything pass
+/// (AtRest): reconstructed values are at most seven times as large as those of cells. What has voids, or may
+/// fall out of bounds, is not called so.
+template <int Dim>
+bool is_still(const AnyEos& eos, const Work<Dim>& w) {
+  using C = Components<Dim>;
+  constexpr double part = 1.0 / 16;
+  if (w.whole || w.failed) return false;
+  const detail::AtRest rest(eos);
+  const auto within = [&](int first, int last, double most) {
+    const double* q = w.primitive + static_cast<std::size_t>(first) * w.wide;
+    const auto count = static_cast<std::size_t>(last - first) * w.wide;
+    for (std::size_t k = 0; k < count; k += w.wide)
+      if (!detail::all_within(q + k, static_cast<int>(w.wide), most)) return false;
+    return true;
+  };
+  if (!within(C::u, C::u + Dim, part * rest.speed) || !within(C::p, C::p + 1, part * rest.stress) ||
+      !within(C::s, C::s + C::stresses, part * rest.stress))
+    return false;
+  const double* rho = w.primitive;
+  return std::all_of(rho, rho + w.wide, [&](double r) { return r > 0.7 * eos.rho0 && r < 1.4 * eos.rho0; });
+}
+
+/// Whether a step adds exactly nothing to the block: far from surfaces, nothing passes its faces.
+template <int Dim>
+bool is_idle(const BodyBlock<Dim>& b, const Work<Dim>& w) {
+  return w.still && !w.role && !w.sides && b.geometry.cuts.empty();
+}
+
 template <int Dim>
 void gather_values(const State<Dim>& state, const Body<Dim>& body, int slot, const AnyEos& eos, Work<Dim>& w,
                    Scratch& scratch) {
@@ -120,6 +149,8 @@ void gather_values(const State<Dim>& state, const Body<Dim>& body, int slot, con
   else
     gather_primitives<C::damage>(body, eos.rho0, w, scratch);
   if (w.fails) find_failed(eos, w, scratch);
+  w.still = is_still(eos, w);
+  if (is_idle(body.at(slot), w)) return;  // nothing else is read
   w.impedance = scratch.take<double>(w.wide + vector_length);
   const double least = least_sound_squared(eos);
   const double* rho = w.primitive;
@@ -214,6 +245,7 @@ void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slo
   w.wide = w.window.size();
   w.whole = cells == Cells::whole;
   gather_values(state, body, slot, eos, w, scratch);
+  if (is_idle(b, w)) return;
   if (Scheme::by_cells && eos.porous) soften_crushing(*eos.porous, w);  // LLF needs the fastest signal
   if (Shear && Scheme::by_cells && !w.whole && !eos.porous) find_never_yielding(body, w, scratch);
   if (faces == FaceTime::midstep) detail::find_half_step(body, dt, w, scratch);

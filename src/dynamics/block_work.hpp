@@ -36,6 +36,7 @@ struct Work {
   std::uint8_t* failed = nullptr;          // FailedCell of each cell of the window; null: nothing has failed
   std::uint8_t* never_yields = nullptr;    // 1 where matter never yields; null: nowhere
   std::uint8_t* beside_contact = nullptr;  // 1 where it lies beside a contact as well; null: nowhere
+  bool still = false;                      // all cells of the window are: no face lets anything pass (AtRest)
   bool whole = false;                      // cells are whole and real, or not there at all (ghost fluid)
   const LevelSides<Dim>* sides = nullptr;  // null: all blocks around are of its level
   HalfStep ahead{};                        // dt 0: three stages

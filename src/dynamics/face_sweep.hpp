@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -243,7 +244,10 @@ void sweep(const AnyEos& eos, const Geometry<Dim>& geometry, Work<Dim>& w, doubl
   const PartlyOpen<Dim> partly =
       w.whole ? PartlyOpen<Dim>{} : find_partly_open(w.window, geometry, Axis, faces, scratch);
   const Faces<Dim> out{faces, area, {flux, velocity, nf, 0}, partly};
-  if constexpr (!Scheme::by_cells)
+  if (w.still) {
+    std::fill_n(flux, nf * Components<Dim>::contents, 0.0);
+    std::fill_n(velocity, nf * Dim, 0.0);
+  } else if constexpr (!Scheme::by_cells)
     solve_row_by_row<Dim, Axis, Shear, Scheme>(eos, w, out, counters);
   else if constexpr (Axis == 0)
     solve_along_rows<Dim, Shear>(eos, w, out, counters);

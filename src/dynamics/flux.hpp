@@ -181,8 +181,9 @@ int complete_side(const AnyEos& eos, const StateBounds& bounds, const Row<Dim>& 
 /// The waves along the axis: mass, normal momentum and energy, and the normal star velocity.
 /// @param pull see solve_normal_waves(). @param inverse out: NormalWaves::inverse.
 template <int Dim, int Axis>
-void solve_along_axis(const AnyEos& eos, int count, const FaceSide<Dim>& left, const FaceSide<Dim>& right,
-                      const double* pull, const FaceFlux<Dim>& out, double* inverse) {
+void solve_along_axis(const AnyEos& eos, int count, const AtRest& rest, const FaceSide<Dim>& left,
+                      const FaceSide<Dim>& right, const double* pull, const FaceFlux<Dim>& out,
+                      double* inverse) {
   using C = Components<Dim>;
   constexpr std::size_t un = C::u + Axis;
   alignas(64) double rho_behind[longest_row], p_behind[longest_row], energy[longest_row],
@@ -191,7 +192,7 @@ void solve_along_axis(const AnyEos& eos, int count, const FaceSide<Dim>& left, c
     return NormalSide{s.of(C::rho), s.of(un), s.stress(), s.of(C::p), s.sound};
   };
   double *mass = out.flux_of(C::rho), *power = out.flux_of(C::energy), *speed = out.velocity_along(Axis);
-  solve_normal_waves(count, side(left), side(right), pull,
+  solve_normal_waves(count, rest, side(left), side(right), pull,
                      {mass, out.flux_of(un), power, speed, rho_behind, p_behind, kinetic, work, inverse});
   alignas(64) double upwind[longest_row];
   const double* crushed = left.of(C::crushed);
@@ -231,14 +232,15 @@ int solve_faces(const AnyEos& eos, const Row<Dim>& in, FaceValues<Dim>& left_val
   [[maybe_unused]] const double *modulus = in.shear + in.first, *below = modulus - in.step;
   alignas(64) double pulls[longest_row];
   const double* pull = in.beside_contact ? detail::find_pulls(in, pulls) : nullptr;
-  detail::solve_along_axis<Dim, Axis>(eos, count, left, right, pull, out, inverse);
+  const detail::AtRest rest(eos);
+  detail::solve_along_axis<Dim, Axis>(eos, count, rest, left, right, pull, out, inverse);
   const detail::CarryingFlow flow{out.flux_of(C::rho), out.velocity_along(Axis), inverse};
   for (int t = 0; t < Dim; ++t) {
     if (t == Axis) continue;
     [[maybe_unused]] const std::size_t v = C::u + t, tau = C::s + C::stress(Axis, t);
     const detail::AlongFace along{out.flux_of(v), out.velocity_along(t), out.flux_of(C::energy)};
     if constexpr (Shear)
-      detail::solve_shear_waves(count, {left.of(C::rho), left.of(v), left.of(tau), below},
+      detail::solve_shear_waves(count, rest, {left.of(C::rho), left.of(v), left.of(tau), below},
                                 {right.of(C::rho), right.of(v), right.of(tau), modulus}, pull, flow, along);
     else
       detail::carry_velocity(count, left.of(v), right.of(v), flow, along);

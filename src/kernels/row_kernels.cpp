@@ -201,6 +201,26 @@ void keep_positive(const double* q, int count, RowEnds ends) {
 StateBounds::StateBounds(const AnyEos& eos)
     : least_rho(0.6 * density_range(eos).least * eos.rho0), least_c2(least_sound_squared(eos)) {}
 
+AtRest::AtRest(const AnyEos& eos) {
+  constexpr double part = 1e-12;
+  const double c0 = bulk_sound_speed(eos);
+  speed = part * c0;
+  stress = part * eos.rho0 * c0 * c0;
+}
+
+RECOIL_MULTIVERSION
+bool all_within(const double* values, int count, double most) {
+  constexpr int stretch = 64;  // looked at together
+  for (int from = 0; from < count; from += stretch) {
+    const int n = count - from < stretch ? count - from : stretch;
+    int beyond = 0;
+#pragma omp simd reduction(| : beyond)
+    for (int i = 0; i < n; ++i) beyond |= std::abs(values[from + i]) <= most ? 0 : 1;
+    if (beyond != 0) return false;
+  }
+  return true;
+}
+
 RECOIL_MULTIVERSION
 int find_longitudinal_speeds(const StateBounds& bounds, const double* rho, const double* own,
                              const double* shear_modulus, int count, double* sound) {
@@ -218,8 +238,10 @@ namespace {
 
 /// @param Pulled whether `pull` is there.
 template <bool Pulled>
-[[gnu::always_inline]] inline void normal_waves(int count, const NormalSide& left, const NormalSide& right,
-                                                const double* pull, const NormalWaves& out) {
+[[gnu::always_inline]] inline void normal_waves(int count, const AtRest& rest, const NormalSide& left,
+                                                const NormalSide& right, const double* pull,
+                                                const NormalWaves& out) {
+  const double quiet_u = rest.speed, quiet_s = rest.stress;
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const double rl = left.rho[i], rr = right.rho[i], ul = left.u[i], ur = right.u[i], sl = left.stress[i],
@@ -240,30 +262,33 @@ template <bool Pulled>
     out.kinetic[i] = 0.5 * u * u;
     out.work[i] = (stress_star * star - s * u) * per_m;
     out.inverse[i] = per_m;
-    out.mass[i] = mass;
-    out.normal[i] = mass * out_u - out_s;
-    out.power[i] = out_s * out_u;
-    out.speed[i] = out_u;
+    const bool still = (std::abs(ul) <= quiet_u) & (std::abs(ur) <= quiet_u) & (std::abs(sl) <= quiet_s) &
+                       (std::abs(sr) <= quiet_s);  // false for NaN
+    out.mass[i] = still ? 0.0 : mass;
+    out.normal[i] = still ? 0.0 : mass * out_u - out_s;
+    out.power[i] = still ? 0.0 : out_s * out_u;
+    out.speed[i] = still ? 0.0 : out_u;
   }
 }
 
 }  // namespace
 
 RECOIL_MULTIVERSION
-void solve_normal_waves(int count, const NormalSide& left, const NormalSide& right, const double* pull,
-                        const NormalWaves& out) {
+void solve_normal_waves(int count, const AtRest& rest, const NormalSide& left, const NormalSide& right,
+                        const double* pull, const NormalWaves& out) {
   if (pull)
-    normal_waves<true>(count, left, right, pull, out);
+    normal_waves<true>(count, rest, left, right, pull, out);
   else
-    normal_waves<false>(count, left, right, pull, out);
+    normal_waves<false>(count, rest, left, right, pull, out);
 }
 
 namespace {
 
 template <bool Pulled>
-[[gnu::always_inline]] inline void shear_waves(int count, const ShearSide& left, const ShearSide& right,
-                                               const double* pull, const CarryingFlow& flow,
-                                               const AlongFace& out) {
+[[gnu::always_inline]] inline void shear_waves(int count, const AtRest& rest, const ShearSide& left,
+                                               const ShearSide& right, const double* pull,
+                                               const CarryingFlow& flow, const AlongFace& out) {
+  const double quiet_u = rest.speed, quiet_s = rest.stress;
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     const bool from_left = flow.speed[i] >= 0, beyond = flow.inverse[i] == 0;
@@ -275,21 +300,23 @@ template <bool Pulled>
     const double v_star = Pulled ? full - (1 - pull[i]) * (tr - tl) / (zl + zr) : full;
     const double v_out = beyond ? v : v_star, tau_out = beyond ? tau : tau_star;
     const double work = (tau_out * v_out - tau * v) / (from_left ? -zl : zr);
-    out.momentum[i] = flow.mass[i] * v_out - tau_out;
-    out.power[i] += flow.mass[i] * (0.5 * v * v - work) - tau_out * v_out;
-    out.speed[i] = v_out;
+    const bool still = (flow.mass[i] == 0) & (std::abs(vl) <= quiet_u) & (std::abs(vr) <= quiet_u) &
+                       (std::abs(tl) <= quiet_s) & (std::abs(tr) <= quiet_s);
+    out.momentum[i] = still ? 0.0 : flow.mass[i] * v_out - tau_out;
+    out.power[i] += still ? 0.0 : flow.mass[i] * (0.5 * v * v - work) - tau_out * v_out;
+    out.speed[i] = still ? 0.0 : v_out;
   }
 }
 
 }  // namespace
 
 RECOIL_MULTIVERSION
-void solve_shear_waves(int count, const ShearSide& left, const ShearSide& right, const double* pull,
-                       const CarryingFlow& flow, const AlongFace& out) {
+void solve_shear_waves(int count, const AtRest& rest, const ShearSide& left, const ShearSide& right,
+                       const double* pull, const CarryingFlow& flow, const AlongFace& out) {
   if (pull)
-    shear_waves<true>(count, left, right, pull, flow, out);
+    shear_waves<true>(count, rest, left, right, pull, flow, out);
   else
-    shear_waves<false>(count, left, right, pull, flow, out);
+    shear_waves<false>(count, rest, left, right, pull, flow, out);
 }
 
 RECOIL_MULTIVERSION

@@ -79,6 +79,20 @@ struct StateBounds {
 int find_longitudinal_speeds(const StateBounds& bounds, const double* rho, const double* own,
                              const double* shear_modulus, int count, double* sound);
 
+/// Between states that move slower and are under less stress than this a face lets nothing pass, so that
+/// matter at rest stays at rest until a wave arrives (docs/decisions/0073). Far above rounding, which is
+/// 2e-16 of the same speed and modulus, and far below all that matters.
+struct AtRest {
+  double speed, stress;  // m/s, Pa
+
+  /// 1e-12 of the speed of sound and of the bulk modulus at rest.
+  explicit AtRest(const AnyEos& eos);
+  AtRest(double most_speed, double most_stress) : speed(most_speed), stress(most_stress) {}
+};
+
+/// Whether no value is larger than `most`; false for NaN.
+bool all_within(const double* values, int count, double most);
+
 /// One side of a row of faces: what the waves along the axis need.
 struct NormalSide {
   const double *rho, *u, *stress, *p, *sound;  // u and stress along the axis, c_L
@@ -94,8 +108,8 @@ struct NormalWaves {
 };
 /// @param pull of each face: how much of the jump of stress drives the star velocity; null: all of it. The
 /// star stress takes all of the jump of velocity.
-void solve_normal_waves(int count, const NormalSide& left, const NormalSide& right, const double* pull,
-                        const NormalWaves& out);
+void solve_normal_waves(int count, const AtRest& rest, const NormalSide& left, const NormalSide& right,
+                        const double* pull, const NormalWaves& out);
 
 /// One side of a row of faces, and what shear waves need there.
 struct ShearSide {
@@ -113,8 +127,8 @@ struct AlongFace {
 };
 
 /// The shear waves of a solid. @param pull see solve_normal_waves().
-void solve_shear_waves(int count, const ShearSide& left, const ShearSide& right, const double* pull,
-                       const CarryingFlow& flow, const AlongFace& out);
+void solve_shear_waves(int count, const AtRest& rest, const ShearSide& left, const ShearSide& right,
+                       const double* pull, const CarryingFlow& flow, const AlongFace& out);
 
 /// A fluid carries its velocity along the face with it.
 void carry_velocity(int count, const double* left, const double* right, const CarryingFlow& flow,

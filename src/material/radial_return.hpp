@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "core/series.hpp"
 #include "material/strength/partly_molten.hpp"
 #include "material/strength/strength.hpp"
 
@@ -62,16 +63,29 @@ template <class Model>
   }
 }
 
+/// Yield stress and slopes at a plastic strain of ep and a growing increment, before softening
+/// (Model::expand).
+template <class Model>
+auto expansion_from(const Model& s, double ep) {
+  if constexpr (requires { s.hardened(ep); })
+    return [&s, start = s.hardened(ep)](double more, double log_rate) {
+      return s.expand(start, more, log_rate);
+    };
+  else
+    return [&s, ep](double more, double log_rate) { return s.expand(ep + more, log_rate); };
+}
+
 /// Newton's method in y = ln(dep/(dt reference_rate)). Its residual falls with y and is concave (see
 /// Model::expand), so that steps from the right of the root approach it without overshoot: no
 /// bracket is needed, a few steps suffice, and the same input gives the same bits.
 template <class Model>
-requires(Model::rate_dependent&& requires {
-  &Model::expand;
+requires(Model::rate_dependent&& requires(const Model& m) {
+  m.expand(1.0, 1.0);
 }) double plastic_increment(const Model& s, double q_trial, const YieldState& before, double dt) {
   if (q_trial < least_yield(s, before.ep, before.temperature)) return 0;
   const double ep = before.ep, soft = s.softening(before.temperature);
-  const double static_yield = soft * s.yield({.ep = ep, .temperature = s.reference_temperature});
+  const auto expand = expansion_from(s, ep);
+  const double static_yield = soft * expand(0, 0).yield;
   const double excess = q_trial - static_yield;
   if (!(excess > 0)) return 0;
   const double stiffness = 3 * s.shear_modulus;
@@ -84,12 +98,12 @@ requires(Model::rate_dependent&& requires {
   if (s.c * static_yield > 0) y = std::min(y, excess / (s.c * static_yield));  // with the rate term alone
   double x = unit * std::exp(y);
   for (int i = 0; i < 40 && x > 0; ++i) {
-    const auto at = s.expand(ep + x, y);
+    const auto at = expand(x, y);
     const double residual = q_trial - stiffness * x - soft * at.yield;
     if (std::fabs(residual) <= tolerance) break;
     const double slope = stiffness * x + soft * (at.by_ep * x + at.by_log_rate);
     y += residual / slope;
-    x = unit * std::exp(y);
+    x *= exp_of_small(residual / slope);
   }
   return x;
 }
@@ -97,8 +111,8 @@ requires(Model::rate_dependent&& requires {
 /// False position (Illinois) in ln(dep) between 1e-30 and 1 of the increment at the yield stress before;
 /// 0 if the root is smaller still. Needs nothing but a yield stress that does not fall with dep.
 template <class Model>
-requires(Model::rate_dependent && !requires {
-  &Model::expand;
+requires(Model::rate_dependent && !requires(const Model& m) {
+  m.expand(1.0, 1.0);
 }) double plastic_increment(const Model& s, double q_trial, YieldState before, double dt) {
   before.rate = 0;
   const double excess = q_trial - s.yield(before), stiffness = 3 * s.shear_modulus;

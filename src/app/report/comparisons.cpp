@@ -49,6 +49,17 @@ std::vector<double> in_unit_of(const CsvTable& gauge, const std::string& own, co
   return values;
 }
 
+/// What a table says of itself: its first lines of comment up to an empty one, as far as they are short.
+std::string note_of(const std::vector<std::string>& comments) {
+  constexpr std::size_t longest = 400;
+  std::string note;
+  for (const std::string& line : comments) {
+    if (line.empty() || (!note.empty() && note.size() + line.size() > longest)) break;
+    note += (note.empty() ? "" : " ") + line;
+  }
+  return note;
+}
+
 void add_references(Json& all, const config::Gauge& gauge, const LoadedCase& loaded, const fs::path& run) {
   const CsvTable table = read_csv(run / "gauges" / (gauge.name + ".csv"));
   std::set<std::string> seen;
@@ -61,7 +72,7 @@ void add_references(Json& all, const config::Gauge& gauge, const LoadedCase& loa
     all.push_back(curve_json(named->file.string(), named->column,
                              in_unit_of(table, over, reference, reference.columns.front()),
                              in_unit_of(table, column, reference, named->file_column)));
-    if (!reference.comments.empty()) all.back()["note"] = reference.comments.front();
+    if (const std::string note = note_of(reference.comments); !note.empty()) all.back()["note"] = note;
   }
 }
 

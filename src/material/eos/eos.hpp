@@ -125,7 +125,7 @@ bool evaporates(const Model& eos) {
 /// hardly any impedance it would be thrown out at many times the speed of sound (docs/decisions/0072).
 template <class Model>
 double wave_speed_squared(const Model& eos, double rho, double p) {
-  const double c2 = eos.sound_speed_squared(rho, p), free = p / rho;
+  const double c2 = eos.sound_speed_squared(rho, p), free = p * (1 / rho);
   return evaporates(eos) & (c2 < free) & (rho > 0) ? free : c2;
 }
 

@@ -51,10 +51,12 @@ struct MieGruneisen {
   }
 
   /// (dp/drho) at constant entropy [m2/s2]: f' + (Gamma rho)' e + Gamma rho p/rho^2. No floor: negative where
-  /// the state is unstable.
+  /// the state is unstable. In expansion the first two are c0^2 F + p F'/F, F = Gamma rho/(Gamma0 rho0).
   constexpr double sound_speed_squared(double rho, double p) const {
-    const double thinner = (p - cold(rho)) * fall_slope(rho) / fall(rho);
-    return cold_slope(rho) + thinner + gamma0 * rho0 * fall(rho) * p / (rho * rho);
+    const double per_rho = 1 / rho, part_of_rest = fall(rho);
+    const double expanded = c0 * c0 * part_of_rest + p * (fall_slope(rho) / part_of_rest);
+    const double along = rho0 * per_rho <= 1 ? cold_slope_compressed(rho0 * per_rho) : expanded;
+    return along + gamma0 * rho0 * part_of_rest * p * (per_rho * per_rho);
   }
 
   /// Whether the equation of state means anything at this density.
@@ -68,7 +70,7 @@ struct MieGruneisen {
 
   /// f(rho) [Pa]: the pressure where e = 0.
   constexpr double cold(double rho) const {
-    const double phi = 1 - rho0 / rho;
+    const double phi = 1 - rho0 * (1 / rho);
     const double d = guarded(1 - s * phi);
     const double compressed = rho0 * c0 * c0 * phi * (1 - 0.5 * gamma0 * phi) / (d * d);
     const double expanded = c0 * c0 * (rho - rho0) * fall(rho);
@@ -77,18 +79,21 @@ struct MieGruneisen {
 
   /// f'(rho) [m2/s2].
   constexpr double cold_slope(double rho) const {
-    const double x = rho0 / rho;
-    const double phi = 1 - x;
-    const double d = guarded(1 - s * phi);
-    const double by_phi = ((1 - gamma0 * phi) * d + 2 * s * phi * (1 - 0.5 * gamma0 * phi)) / (d * d * d);
+    const double x = rho0 * (1 / rho);
     const double expanded = c0 * c0 * (fall(rho) + (rho - rho0) * fall_slope(rho));
-    return phi >= 0 ? c0 * c0 * by_phi * x * x : expanded;
+    return x <= 1 ? cold_slope_compressed(x) : expanded;
   }
 
  private:
+  /// f'(rho) in compression, by x = rho0/rho.
+  constexpr double cold_slope_compressed(double x) const {
+    const double phi = 1 - x, per_d = 1 / guarded(1 - s * phi);
+    const double by_phi = 1 - gamma0 * phi + 2 * s * phi * (1 - 0.5 * gamma0 * phi) * per_d;
+    return c0 * c0 * by_phi * (per_d * per_d) * (x * x);
+  }
   /// rho/(0.9 rho0), from something above 0 to 1.
   constexpr double part(double rho) const {
-    const double x = rho / (straight_to * rho0);
+    const double x = rho * (1 / (straight_to * rho0));
     return x < 1 ? (x > 1e-9 ? x : 1e-9) : 1;
   }
   /// h of Gamma rho.
@@ -101,7 +106,7 @@ struct MieGruneisen {
   /// Its slope [m3/kg].
   constexpr double fall_slope(double rho) const {
     const double x = part(rho), k = 2 * (1 - gas_part());
-    return (1 - x) * (2 - k + 3 * k * x) / (straight_to * rho0);
+    return (1 - x) * (2 - k + 3 * k * x) * (1 / (straight_to * rho0));
   }
   static constexpr double guarded(double d) { return d > guard ? d : guard; }
 };

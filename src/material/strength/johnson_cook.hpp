@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/series.hpp"
 #include "material/parameter.hpp"
 #include "material/strength/yield_state.hpp"
 
@@ -72,10 +73,25 @@ struct JohnsonCook {
     double yield, by_ep, by_log_rate;  // Pa
   };
 
+  /// b ep^n at a plastic strain, from which that at one near it follows without a power.
+  struct Hardened {
+    double ep, grown;  // 1, Pa
+  };
+  Hardened hardened(double ep) const { return {ep, hardening(ep)}; }
+
+  /// b (ep + more)^n [Pa]; below 1 % of ep without a power.
+  double hardening(const Hardened& at, double more) const {
+    if (n == 1) return at.grown + b * more;
+    if (!(more < 0.01 * at.ep)) return hardening(at.ep + more);
+    return at.grown * power_near_one(more / at.ep, n);
+  }
+
   /// Yield stress and slopes before thermal softening, at ep > 0 and log_rate = ln(ep_rate/reference_rate).
   /// Convex in the logarithm of an increment of ep taken in a given time.
-  Expansion expand(double ep, double log_rate) const {
-    const double grown = hardening(ep);
+  Expansion expand(double ep, double log_rate) const { return expand(hardened(ep), 0, log_rate); }
+  /// The same at ep + more.
+  Expansion expand(const Hardened& at, double more, double log_rate) const {
+    const double grown = hardening(at, more), ep = at.ep + more;
     const double slope = log_rate > 0 ? c : 0.0;
     const double rate_factor = 1 + slope * log_rate;
     return {(a + grown) * rate_factor, n * grown / ep * rate_factor, (a + grown) * slope};

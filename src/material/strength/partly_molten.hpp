@@ -31,9 +31,13 @@ struct PartlyMolten : Model {
     return solid * Model::yield(s);
   }
 
-  auto expand(double ep, double log_rate) const requires requires(const Model& m) { m.expand(ep, log_rate); }
+  /// Model::expand(), whatever it takes.
+  template <class... Where>
+  auto expand(const Where&... where) const requires requires(const Model& m) {
+    m.expand(where...);
+  }
   {
-    auto all = Model::expand(ep, log_rate);
+    auto all = Model::expand(where...);
     all.yield *= solid, all.by_ep *= solid, all.by_log_rate *= solid;
     return all;
   }

@@ -37,6 +37,14 @@ TEST(Closest, FindsNamesByAPart) {
   EXPECT_EQ(nearest("copper", names).size(), 2U);
 }
 
+TEST(Closest, TheEndOfANameMayBeMissing) {
+  const std::vector<std::string> names{"aluminium/7039", "aluminium/6061-t6", "copper/ofhc-johnson-cook",
+                                       "copper/pure"};
+  EXPECT_EQ(nearest("coper/ofhc", names), std::vector<std::string>{"copper/ofhc-johnson-cook"});
+  EXPECT_EQ(nearest("aluminium/6061", names, 1), std::vector<std::string>{"aluminium/6061-t6"});
+  EXPECT_TRUE(nearest("copt", names).empty());
+}
+
 TEST(Closest, WritesAQuestion) {
   const std::vector<std::string> names{"finest", "offset"};
   EXPECT_EQ(did_you_mean("finset", names), "did you mean 'finest'?");

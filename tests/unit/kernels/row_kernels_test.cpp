@@ -10,6 +10,7 @@ namespace recoil::detail {
 namespace {
 
 constexpr double rho = 8000, sound = 5000, at_rest = 0, jump = 1e6, half = 0.5;
+const AtRest rest(1e-9, 0.1);
 
 /// The waves along the axis between two cells at rest whose stress differs by `jump`.
 struct Normal {
@@ -18,7 +19,7 @@ struct Normal {
 
   explicit Normal(const double* pull) {
     const double p_high = -jump;
-    solve_normal_waves(1, {&rho, &at_rest, &at_rest, &at_rest, &sound},
+    solve_normal_waves(1, rest, {&rho, &at_rest, &at_rest, &at_rest, &sound},
                        {&rho, &at_rest, &jump, &p_high, &sound}, pull,
                        {&mass, &normal, &power, &speed, &rho_behind, &p_behind, &kinetic, &work, &inverse});
   }
@@ -31,13 +32,29 @@ TEST(NormalWaves, HalfOfTheJumpOfStressDrivesHalfTheVelocity) {
   EXPECT_NEAR(part.normal, whole.normal, 1e-3 * jump) << "the star stress is the same but for the flow";
 }
 
+/// The waves between two cells of these velocities and stresses.
+std::array<double, 4> passed(double u, double stress) {
+  double mass = 1, normal = 1, power = 1, speed = 1, other = 0;
+  solve_normal_waves(1, rest, {&rho, &u, &stress, &at_rest, &sound},
+                     {&rho, &at_rest, &at_rest, &at_rest, &sound}, nullptr,
+                     {&mass, &normal, &power, &speed, &other, &other, &other, &other, &other});
+  return {mass, normal, power, speed};
+}
+
+TEST(NormalWaves, NothingPassesBetweenStatesAtRest) {
+  EXPECT_EQ(passed(rest.speed, -rest.stress), (std::array<double, 4>{}));
+  for (const double v : passed(2 * rest.speed, 0)) EXPECT_NE(v, 0);
+  for (const double v : passed(0, 2 * rest.stress)) EXPECT_NE(v, 0);
+  for (const double v : passed(std::nan(""), 0)) EXPECT_TRUE(std::isnan(v));
+}
+
 /// Shear waves between two cells at rest whose shear stress differs by `jump`.
 struct Sheared {
   double momentum = 0, speed = 0, power = 0;
 
   explicit Sheared(const double* pull) {
     const double mass = 0, inverse = 1 / (rho * sound), modulus = 60e9;
-    solve_shear_waves(1, {&rho, &at_rest, &at_rest, &modulus}, {&rho, &at_rest, &jump, &modulus}, pull,
+    solve_shear_waves(1, rest, {&rho, &at_rest, &at_rest, &modulus}, {&rho, &at_rest, &jump, &modulus}, pull,
                       {&mass, &at_rest, &inverse}, {&momentum, &speed, &power});
   }
 };

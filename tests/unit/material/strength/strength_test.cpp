@@ -74,6 +74,16 @@ TEST(JohnsonCook, ExpansionHasTheSlopesOfTheYieldStress) {
   }
 }
 
+TEST(JohnsonCook, HardeningNearAStrainIsThatOfThePower) {
+  for (const JohnsonCook& s : samples::of(JohnsonCook{}))
+    for (const double ep : {1e-6, 0.05, 2.0})
+      for (const double part : {0.0, 1e-12, 1e-5, 3e-3, 0.0099, 0.02, 1.0}) {
+        const double exact = s.hardening(ep * (1 + part));
+        EXPECT_NEAR(s.hardening(s.hardened(ep), ep * part), exact, 1e-15 * (1 + s.n) * exact)
+            << ep << " " << part;
+      }
+}
+
 /// Of the source for OFHC copper: 65 MPa + 890 MPa sqrt(0.2) exp(-298 (0.0028 - 0.000115 ln 1000)).
 TEST(ZerilliArmstrong, FollowsItsFormulaForBothCrystals) {
   const auto samples = samples::of(ZerilliArmstrong{});
