@@ -35,9 +35,10 @@ inline int edit_distance(std::string_view a, std::string_view b) {
 
 /// edit_distance() between a word and the start of a longer candidate, of which the rest may be missing.
 inline int distance_to_start(std::string_view word, std::string_view candidate) {
-  int least = edit_distance(word, candidate.substr(0, word.size()));
-  if (!word.empty()) least = std::min(least, edit_distance(word, candidate.substr(0, word.size() - 1)));
-  return std::min(least, edit_distance(word, candidate.substr(0, word.size() + 1)));
+  int least = edit_distance(word, candidate);
+  for (std::size_t n = word.size() > 0 ? word.size() - 1 : 0; n <= word.size() + 1; ++n)
+    least = std::min(least, edit_distance(word, candidate.substr(0, n)));
+  return least;
 }
 
 /// Up to `count` of the candidates that `word` may have been meant as, the nearest first: those within a
@@ -55,7 +56,7 @@ inline std::vector<std::string> nearest(std::string_view word, std::span<const s
     const std::size_t at = word.size() >= 3 ? c.find(word) : std::string::npos;
     const bool other_start = word.empty() || c.empty() || word[0] != c[0];
     int d = edit_distance(word, c);
-    if (c.size() > word.size() + 1) d = std::min(d, distance_to_start(word, c) + 1);
+    if (word.size() >= 3 && c.size() > word.size() + 1) d = std::min(d, distance_to_start(word, c) + 1);
     if (at != std::string::npos) d = std::min(d, at == 0 ? 1 : reach);
     if (d <= reach) found.push_back({d, 2 * other_start + (word.size() != c.size()), &c});
   }
