@@ -280,11 +280,11 @@ class Sweep(Scratch):
 
     def test_a_run_that_is_stopped_has_a_row(self):
         speeds = {"body.flyer.velocity.x": ["450 m/s", "35 km/s"]}
-        table = recoil.sweep("flyer_al_cu", speeds, ["gauge.rear.velocity@0.6us"], "speeds",
+        table = recoil.sweep("flyer_al_cu", speeds, ["gauge.rear.velocity@3.9us"], "speeds",
                              {**QUICK, "time.end": "4 us"})  # fmt: skip
         self.assertEqual(table["verdict"][1], "stopped")
         self.assertNotEqual(table["verdict"][0], "stopped")
-        self.assertEqual(list(numpy.isnan(table["gauge.rear.velocity@0.6us"])), [False, True])
+        self.assertEqual(list(numpy.isnan(table["gauge.rear.velocity@3.9us"])), [False, True])
 
     def test_a_mistake_ends_it(self):
         with self.assertRaisesRegex(recoil.InputError, "finst"):
