@@ -225,6 +225,10 @@ strength.c = 0
 TEST(Library, MistakesNameTheirCure) {
   EXPECT_TRUE(says(find("coper/seed"), "copper/seed"));
   EXPECT_TRUE(says(find("coper/seed"), "unknown material 'coper/seed'"));
+  EXPECT_TRUE(says(find("coper/ofhc"), "copper/ofhc-johnson-cook"));
+  EXPECT_TRUE(says(find("al/6061"), "aluminium/6061-t6"));
+  EXPECT_TRUE(says(find("steel/stainless"), "steel/304"));
+  EXPECT_TRUE(says(find("kryptonite/pure"), "material list"));
   EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"steel/4341\"\n"), "steel/4340"));
   EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"x\"\n"), "its own base"));
   EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"y\"\n[material.y]\nbase = \"x\"\n"), "its own base"));
