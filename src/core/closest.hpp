@@ -36,7 +36,7 @@ inline int edit_distance(std::string_view a, std::string_view b) {
 /// edit_distance() between a word and the start of a longer candidate, of which the rest may be missing.
 inline int distance_to_start(std::string_view word, std::string_view candidate) {
   int least = edit_distance(word, candidate);
-  for (std::size_t n = word.size() > 0 ? word.size() - 1 : 0; n <= word.size() + 1; ++n)
+  for (std::size_t n = word.empty() ? 0 : word.size() - 1; n <= word.size() + 1; ++n)
     least = std::min(least, edit_distance(word, candidate.substr(0, n)));
   return least;
 }

@@ -222,6 +222,17 @@ void book_edges(const Faces<Dim>& in, const Work<Dim>& w, int axis, double booke
   }
 }
 
+/// Fluxes through all faces whose stencil has values.
+template <int Dim, int Axis, bool Shear, class Scheme>
+void solve_all(const AnyEos& eos, const Work<Dim>& w, const Faces<Dim>& out, Counters& counters) {
+  if constexpr (!Scheme::by_cells)
+    solve_row_by_row<Dim, Axis, Shear, Scheme>(eos, w, out, counters);
+  else if constexpr (Axis == 0)
+    solve_along_rows<Dim, Shear>(eos, w, out, counters);
+  else
+    solve_across_rows<Dim, Axis, Shear>(eos, w, out, counters);
+}
+
 /// Fluxes through all faces across one axis, their open areas, and what they add to the block's cells.
 /// @param booked seconds with which what passes the edges of the domain is booked in `edges`.
 template <int Dim, int Axis, bool Shear, class Scheme>
@@ -247,12 +258,9 @@ void sweep(const AnyEos& eos, const Geometry<Dim>& geometry, Work<Dim>& w, doubl
   if (w.still) {
     std::fill_n(flux, nf * Components<Dim>::contents, 0.0);
     std::fill_n(velocity, nf * Dim, 0.0);
-  } else if constexpr (!Scheme::by_cells)
-    solve_row_by_row<Dim, Axis, Shear, Scheme>(eos, w, out, counters);
-  else if constexpr (Axis == 0)
-    solve_along_rows<Dim, Shear>(eos, w, out, counters);
-  else
-    solve_across_rows<Dim, Axis, Shear>(eos, w, out, counters);
+  } else {
+    solve_all<Dim, Axis, Shear, Scheme>(eos, w, out, counters);
+  }
   replace_inadmissible_faces<Dim, Axis, Shear, Scheme>(eos, w, out, counters);
   PartedFace<Dim>* parted = nullptr;
   int apart = 0;
