@@ -8,7 +8,7 @@ namespace recoil {
 
 namespace detail {
 
-/// 1 + f(1) + f(1) f(2) + ...: each factor of a power series by the one before, to rounding of a sum near 1.
+/// 1 + f(1) + f(1) f(2) + ... to rounding, for a sum near 1: f(k) is a term over the one before it.
 template <class Factor>
 [[gnu::always_inline]] inline double sum_of_powers(Factor&& factor) {
   constexpr int most = 12;
@@ -28,7 +28,7 @@ inline constexpr std::array<double, 13> reciprocals{0,        1.0,      1.0 / 2,
 
 }  // namespace detail
 
-/// exp(x), to rounding also by its series: no call where |x| is at most 0.01.
+/// exp(x); where |x| is at most 0.01 by its series, which is faster and exact to rounding.
 inline double exp_of_small(double x) {
   if (!(std::fabs(x) <= 0.01)) return std::exp(x);
   return detail::sum_of_powers([x](int k) { return x * detail::reciprocals[static_cast<std::size_t>(k)]; });

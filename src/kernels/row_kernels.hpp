@@ -90,7 +90,7 @@ struct AtRest {
   AtRest(double most_speed, double most_stress) : speed(most_speed), stress(most_stress) {}
 };
 
-/// Whether no value is larger than `most`; false for NaN.
+/// Whether the absolute value of all is at most `most`; false for NaN.
 bool all_within(const double* values, int count, double most);
 
 /// One side of a row of faces: what the waves along the axis need.
