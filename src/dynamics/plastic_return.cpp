@@ -45,6 +45,22 @@ decltype(auto) in_state(const StrengthModel& model, const YieldState& state) {
   }
 }
 
+/// plastic_increment() of matter that bears only a part of its yield stress: q - 3 G x = part Y(x) is
+/// q/part - 3 G/part x = Y(x).
+template <class StrengthModel>
+double weakened_increment(const StrengthModel& strength, double trial, double part, const YieldState& before,
+                          double dt) {
+  if constexpr (requires(StrengthModel & m) { m.shear_modulus = 1; }) {
+    if (part < 1) {
+      if (!(part > 0)) return trial / (3 * strength.shear_modulus);
+      StrengthModel weaker = strength;
+      weaker.shear_modulus /= part;
+      return plastic_increment(weaker, trial / part, before, dt);
+    }
+  }
+  return plastic_increment(strength, trial, before, dt);
+}
+
 /// One cell: contents q (distance n between components) of a fragment of volume v.
 /// @returns by how much the plastic strain grows.
 template <int Dim, class StrengthModel>
@@ -77,7 +93,8 @@ double return_cell(const StrengthModel& at_rest, const Body<Dim>& body, double* 
   const auto& solid = as_molten(at_rest, melt);
   const auto& strength = in_state(solid, before);
   const double trial = std::sqrt(trial2);
-  const double increment = plastic_increment(strength, trial, before, dt);
+  const double part = strength_left(body.material.damage, q[C::damage * n] / mass);
+  const double increment = weakened_increment(strength, trial, part, before, dt);
   if (!(increment > 0)) return 0;
   const double left = 1 - 3 * strength.shear_modulus * increment / trial;
   const double scale = left > 0 ? left : 0.0;
@@ -95,11 +112,12 @@ struct FragmentRow {
   std::size_t n;
 };
 
-/// What find_elastic() knows of the temperature without a power: one that it is not above, and the density
-/// [kg/m3] from which on matter melts at no less than PartlyMolten::melts_at.
+/// What find_elastic() knows without a power: a temperature that matter is not above, the density [kg/m3]
+/// from which on it melts at no less than PartlyMolten::melts_at, and what damage leaves at least.
 struct Bounds {
   HighestTemperature highest;
   double least_density = 0;
+  double least_part = 1;  // of its yield stress that damage leaves
 };
 
 /// Says of a row of cells which are surely inside the yield surface: return_cell() leaves these as they are.
@@ -125,7 +143,7 @@ RECOIL_MULTIVERSION [[gnu::flatten]] void find_elastic(StrengthModel strength, B
       if constexpr (ModelBelow<StrengthModel>::melts)
         if (rho < bounds.least_density) temperature = infinite;
     }
-    const double least = least_yield(strength, ep, temperature);
+    const double least = bounds.least_part * least_yield(strength, ep, temperature);
     elastic[c] = trial2 < least * least ? 1 : 0;
   }
 }
@@ -218,7 +236,8 @@ void return_to_yield(const State<Dim>& state, Body<Dim>& body, int slot, double 
   const bool by_mean = averages_damage(body.material) && !fails_at_once(body.material.damage);
   if (by_mean) clear_damage_drive(b);
   const Bounds bounds{{body.temperature.thermal(), body.material.eos},
-                      TemperatureLaw::least_melting_part * solid_density(body.material)};
+                      TemperatureLaw::least_melting_part * solid_density(body.material),
+                      strength_left(body.material.damage, 1)};
   const auto return_one = [&](const auto& strength, const Index<Dim>& i, std::size_t k, bool elastic) {
     double* const q = b.contents.data() + k;
     const double v = b.volume[k];

@@ -138,6 +138,25 @@ JohnsonCook johnson_cook(const Cards& mat, const CardUnits& u) {
   return s;
 }
 
+/// D1 to D5 as they are published, with triaxiality positive in tension; all zero: no damage.
+Damage johnson_cook_damage(const Cards& mat, const CardUnits& u) {
+  const Card &heat = mat[2], last = mat.cards.size() > 3 ? mat[3] : Card{};
+  if (last[0] == 0 && std::all_of(heat.begin() + 4, heat.end(), [](double d) { return d == 0; }))
+    return NoDamage{};
+  JohnsonCookDamage d;
+  d.d1 = heat[4];
+  d.d2 = heat[5];
+  d.d3 = heat[6];
+  d.d4 = heat[7];
+  d.d5 = last[0];
+  const JohnsonCook strength = johnson_cook(mat, u);
+  d.melting_temperature = strength.melting_temperature;
+  d.reference_temperature = strength.reference_temperature;
+  d.reference_rate = strength.reference_rate;
+  if (last[3] > 0) d.least_strain = last[3];
+  return d;
+}
+
 Eos grueneisen(const Card& card, double rho0, const CardUnits& u) {
   const double c0 = tidy(card[1] * u.velocity());
   if (card[3] == 0 && card[4] == 0 && card[6] == 0) return MieGruneisen{rho0, c0, card[2], card[5]};
@@ -164,6 +183,7 @@ ImportedMaterial import_cards(const std::string& text, const CardUnits& units, c
   const double rho0 = tidy(mat[0][1] * units.density());
   m.eos = grueneisen(eos[0], rho0, units);
   m.strength = johnson_cook(mat, units);
+  m.damage = johnson_cook_damage(mat, units);
   m.thermal.specific_heat = tidy(mat[2][0] * units.velocity() * units.velocity());
   m.thermal.initial_temperature = mat[1][6];
   for (const auto& [value, name] : {std::pair{mat[0][1], "density RO"},
@@ -178,8 +198,6 @@ ImportedMaterial import_cards(const std::string& text, const CardUnits& units, c
           "error: " + std::string(name) + " must be above 0\n  --> " + file +
           "\n   = help: write it into its card; zero would stand for a default that Recoil has not");
   if (mat[2][1] != 0) found.left_out.emplace_back("the pressure cutoff PC");
-  if (std::any_of(mat[2].begin() + 4, mat[2].end(), [](double d) { return d != 0; }))
-    found.left_out.emplace_back("the failure constants D1 to D5");
   if (eos[0][7] != 0) found.left_out.emplace_back("the initial energy E0");
   return found;
 }

@@ -23,7 +23,8 @@ double loading_of(const Body<Dim>& body, const Primitives<Dim>& w) {
   const double square = equivalent_stress_squared<Dim>(w.data() + C::s, 1);
   YieldState state{.ep = std::max(w[C::ep], 0.0),
                    .pressure = w[C::p],
-                   .compression = w[C::rho] / rest_density(eos, w[C::crushed])};
+                   .compression = w[C::rho] / rest_density(eos, w[C::crushed]),
+                   .damage = w[C::damage]};
   Melt melt;
   if (temperature_dependent(body.material.strength) || body.temperature.melts()) {
     double e = energy(eos, w[C::rho], w[C::p], w[C::crushed]);
@@ -32,7 +33,8 @@ double loading_of(const Body<Dim>& body, const Primitives<Dim>& w) {
     melt = body.temperature.melt(w[C::rho], e, w[C::temperature_rise]);
     state.temperature = melt.temperature;
   }
-  const double yielding = yield(body.material.strength, state, 1 - melt.molten, melt.at);
+  const double yielding = strength_left(body.material.damage, w[C::damage]) *
+                          yield(body.material.strength, state, 1 - melt.molten, melt.at);
   if (!(square >= at_yield * yielding * yielding)) return 0;
   return square > 0 ? std::sqrt(1.5 / square) : loading_of_melt;
 }

@@ -20,6 +20,7 @@ struct JohnsonCookDamage {
   double reference_temperature = 298;  // K
   double reference_rate = 1;           // 1/s
   double least_strain = 1e-3;          // of ep_f
+  double weakening = 0;                // see strength_left() in damage.hpp
 
   static constexpr const char* kind = "johnson-cook";
   static constexpr const char* doc = "Johnson-Cook: grows with plastic strain, by triaxiality, rate, heat";
@@ -38,7 +39,9 @@ struct JohnsonCookDamage {
           "where T* is 1; 0: no effect of temperature"},
         P{"reference-temperature", "K", &J::reference_temperature, 1, 2000, "where T* is 0"},
         P{"reference-rate", "1/s", &J::reference_rate, 1e-8, 1e8, "strain rate of d1 to d3"},
-        P{"least-strain", "1", &J::least_strain, 1e-6, 1, "least strain to failure"}};
+        P{"least-strain", "1", &J::least_strain, 1e-6, 1, "least strain to failure"},
+        P{"weakening", "1", &J::weakening, 0, 1,
+          "part of its yield stress that damage takes away: Y (1 - weakening D)"}};
   }
 
   /// What is wrong with the constants together; null: nothing.

@@ -86,6 +86,39 @@ TYPED_TEST(PlasticReturn, TrialStressesReturnToTheSurface) {
   EXPECT_NEAR((b.contents[C::temperature_rise * n] - before[C::temperature_rise * n]) / mass / heat, 1, 1e-9);
 }
 
+/// Damaged matter returns to (1 - weakening D) Y, whatever the form of its yield stress; with all of it taken
+/// away it bears nothing.
+TYPED_TEST(PlasticReturn, DamageWeakens) {
+  using C = typename TestFixture::C;
+  for (const Strength& strength :
+       {Strength{LinearHardening{this->shear, this->yield, 1e9}}, samples::copper().strength})
+    for (const double weakening : {0.4, 1.0}) {
+      auto state = this->state_with(strength, this->stressed(20));
+      Body<TestFixture::dim>& body = state.bodies[0];
+      body.material.damage = CockcroftLatham{1e12, weakening};
+      auto& b = body.at(0);
+      const double damage = weakening < 1 ? 0.5 : 0.99;
+      Contents<TestFixture::dim> q;
+      for (std::size_t c = 0; c < q.size(); ++c) q[c] = b.contents[c * b.volume.size()];
+      q[C::damage] = damage * q[C::rho];
+      const double before = q[C::ep] / q[C::rho],
+                   trial2 = equivalent_stress_squared<TestFixture::dim>(q.data() + C::s, 1);
+      const double rho = q[C::rho] / b.volume[0], dt = 1e-9;
+      double kinetic = 0;
+      for (int d = 0; d < TestFixture::dim; ++d) kinetic += q[C::u + d] * q[C::u + d];
+      const double e = (q[C::energy] - 0.5 * kinetic / q[C::rho]) / q[C::rho] -
+                       distortion_energy(trial2 / (q[C::rho] * q[C::rho]), shear_modulus(body.material), rho);
+      const double temperature = body.temperature(rho, e, q[C::temperature_rise] / q[C::rho]);
+      return_fragment<TestFixture::dim>(body, q, b.volume[0], dt);
+      const double ep = q[C::ep] / q[C::rho];
+      const double left =
+          std::sqrt(equivalent_stress_squared<TestFixture::dim>(q.data() + C::s, 1)) / q[C::rho];
+      const double full = yield(strength, {.ep = ep, .rate = (ep - before) / dt, .temperature = temperature});
+      EXPECT_GT(ep, before);
+      EXPECT_NEAR(left / (full * (1 - weakening * damage)), 1, 1e-9);
+    }
+}
+
 TYPED_TEST(PlasticReturn, MeltedMatterLosesItsDeviator) {
   using C = typename TestFixture::C;
   auto w = this->stressed(5);

@@ -54,6 +54,22 @@ TEST(Damage, JohnsonCookStrainToFailure) {
   EXPECT_NEAR(steel.growth(at), 0.1 / steel.failure_strain(1.0 / 3, 0.1, 294), 1e-12);
 }
 
+/// Failed once the plastic work of the largest principal stress is W.
+TEST(Damage, CockcroftAndLathamCountWorkUnderTension) {
+  const CockcroftLatham model{1516e6};
+  const DamagePoint at{.principal = 758e6, .pressure = 200e6, .strain_growth = 0.1};
+  EXPECT_NEAR(model.growth(at), 0.05, 1e-15);
+}
+
+TEST(Damage, WeakensWhatItHasDamaged) {
+  const Damage weakening = CockcroftLatham{400e6, 0.3};
+  EXPECT_EQ(strength_left(weakening, 0), 1);
+  EXPECT_NEAR(strength_left(weakening, 0.5), 0.85, 1e-15);
+  EXPECT_NEAR(strength_left(weakening, 2), 0.7, 1e-15) << "beyond 1 only within a step";
+  EXPECT_EQ(strength_left(CockcroftLatham{400e6}, 0.5), 1);
+  EXPECT_EQ(strength_left(TensileDamage{1e9, 1, 20e-9}, 0.5), 1);
+}
+
 /// Growth alone is exponential: f = f0 exp(3/4 (s - s_g) t/eta), whatever the steps.
 TEST(Damage, VoidsGrowExponentially) {
   const VoidGrowth model{1e12, 1e9, 0, 1e-6, 0.3e9, 40, 0.3};

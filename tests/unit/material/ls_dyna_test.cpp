@@ -45,9 +45,35 @@ TEST(LsDyna, ReadsCopperInSi) {
   EXPECT_NEAR(eos.c0, 3940, 1e-9);
   EXPECT_EQ(eos.a, 0.47);
   EXPECT_NEAR(got.material.thermal.specific_heat, 383, 1e-9);
-  ASSERT_EQ(got.left_out.size(), 2U) << "cutoff and failure";
+  ASSERT_EQ(got.left_out.size(), 1U) << "the cutoff";
   EXPECT_EQ(got.material.title, "OFHC copper");
   EXPECT_EQ(eos.c0, 3940) << "with the digits of the card";
+}
+
+/// D1 to D4 are in the third card, D5 and the least strain in a fourth one that may be missing.
+TEST(LsDyna, ReadsDamage) {
+  const auto damage_of = [](const std::string& text) {
+    return import_cards(text, units("g-cm-us"), "copper.k").material.damage;
+  };
+  const auto all = std::get<JohnsonCookDamage>(damage_of(copper));
+  EXPECT_EQ(all.d1, 0.54);
+  EXPECT_EQ(all.d2, 4.89);
+  EXPECT_EQ(all.d3, -3.03);
+  EXPECT_EQ(all.d4, 0.014);
+  EXPECT_EQ(all.d5, 1.12);
+  EXPECT_EQ(all.melting_temperature, 1356);
+  EXPECT_EQ(all.reference_temperature, 298);
+  EXPECT_NEAR(all.reference_rate, 1, 1e-12);
+  EXPECT_EQ(all.problem(), nullptr);
+  std::string text = copper;
+  const std::string last = "      1.12\n";
+  text.replace(text.find(last), last.size(), "1.12,0,0,0.01\n");
+  EXPECT_EQ(std::get<JohnsonCookDamage>(damage_of(text)).least_strain, 0.01);
+  text.erase(text.find("1.12,0"), 14);
+  EXPECT_EQ(std::get<JohnsonCookDamage>(damage_of(text)).d5, 0);
+  const std::string constants = "0.54      4.89     -3.03     0.014";
+  text.replace(text.find(constants), constants.size(), "   0         0         0         0");
+  EXPECT_TRUE(std::holds_alternative<NoDamage>(damage_of(text)));
 }
 
 TEST(LsDyna, UnitsAreCoherent) {

@@ -104,8 +104,11 @@ inline std::vector<JohnsonHolmquist> of(const JohnsonHolmquist&) {
 inline std::vector<NoDamage> of(const NoDamage&) { return {{}}; }
 inline std::vector<TensileDamage> of(const TensileDamage&) { return {{1e9, 1, 20e-9}, {1.5e9, 2, 50e-9}}; }
 inline std::vector<JohnsonCookDamage> of(const JohnsonCookDamage&) {
-  return {{0.05, 3.44, -2.12, 0.002, 0.61, 1793, 294}, {-0.77, 1.45, -0.47, 0, 1.6, 925, 294}};
+  return {{0.05, 3.44, -2.12, 0.002, 0.61, 1793, 294},
+          {-0.77, 1.45, -0.47, 0, 1.6, 925, 294},
+          {0.0705, 1.732, -0.54, -0.015, 0, 0, 298, 5e-4, 1e-3, 0.3}};
 }
+inline std::vector<CockcroftLatham> of(const CockcroftLatham&) { return {{1516e6}, {400e6, 0.5}}; }
 inline std::vector<VoidGrowth> of(const VoidGrowth&) { return {{0.3e9, 0.04e9, 3e15, 1e-6, 0.3e9, 40}}; }
 inline std::vector<MinimumPressure> of(const MinimumPressure&) { return {{1e9}}; }
 inline std::vector<JohnsonHolmquistDamage> of(const JohnsonHolmquistDamage&) {
