@@ -139,7 +139,7 @@ JohnsonCook johnson_cook(const Cards& mat, const CardUnits& u) {
 }
 
 /// D1 to D5 as they are published, with triaxiality positive in tension; all zero: no damage.
-Damage johnson_cook_damage(const Cards& mat, const CardUnits& u) {
+Damage johnson_cook_damage(const Cards& mat, const JohnsonCook& strength) {
   const Card &heat = mat[2], last = mat.cards.size() > 3 ? mat[3] : Card{};
   if (last[0] == 0 && std::all_of(heat.begin() + 4, heat.end(), [](double d) { return d == 0; }))
     return NoDamage{};
@@ -149,7 +149,6 @@ Damage johnson_cook_damage(const Cards& mat, const CardUnits& u) {
   d.d3 = heat[6];
   d.d4 = heat[7];
   d.d5 = last[0];
-  const JohnsonCook strength = johnson_cook(mat, u);
   d.melting_temperature = strength.melting_temperature;
   d.reference_temperature = strength.reference_temperature;
   d.reference_rate = strength.reference_rate;
@@ -182,8 +181,9 @@ ImportedMaterial import_cards(const std::string& text, const CardUnits& units, c
   m.title = mat.title;
   const double rho0 = tidy(mat[0][1] * units.density());
   m.eos = grueneisen(eos[0], rho0, units);
-  m.strength = johnson_cook(mat, units);
-  m.damage = johnson_cook_damage(mat, units);
+  const JohnsonCook strength = johnson_cook(mat, units);
+  m.strength = strength;
+  m.damage = johnson_cook_damage(mat, strength);
   m.thermal.specific_heat = tidy(mat[2][0] * units.velocity() * units.velocity());
   m.thermal.initial_temperature = mat[1][6];
   for (const auto& [value, name] : {std::pair{mat[0][1], "density RO"},
