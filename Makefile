@@ -4,6 +4,7 @@
 JOBS   ?= $(shell nproc)
 PYTHON ?= /usr/bin/python3
 WERROR ?= OFF
+UNITY  ?= ON
 PREFIX ?= /usr/local
 
 STEP     := @tools/step
@@ -74,7 +75,8 @@ layers: packages-test
 	$(STEP) "Sizes of functions, files and folders" $(PYTHON) -B tools/check_sizes.py
 
 unit-tests: packages-test
-	$(STEP) "Configure $(TEST)" tools/configure $(TEST) -DRECOIL_WERROR=$(WERROR) -DRECOIL_REPORT=ON -DRECOIL_BENCH=ON
+	$(STEP) "Configure $(TEST)" tools/configure $(TEST) -DRECOIL_WERROR=$(WERROR) -DRECOIL_UNITY=$(UNITY) \
+	  -DRECOIL_REPORT=ON -DRECOIL_BENCH=ON
 	$(STEP) "Build a portable program and its tests (some minutes the first time)" \
 	  cmake --build $(TEST) -j $(JOBS)
 	$(STEP) "Quick tests" ctest --test-dir $(TEST) -j $(JOBS) -LE slow --output-on-failure --no-tests=error \

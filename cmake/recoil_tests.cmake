@@ -39,6 +39,7 @@ if(recoil_test_sources)
   target_link_libraries(recoil_tests PRIVATE recoil_lib recoil_flags recoil_little_optimised rapidcheck rapidcheck_gtest
                                              GTest::gtest GTest::gtest_main)
   add_dependencies(recoil_tests recoil_build_info)
+  recoil_compile_by_folder(recoil_tests "${PROJECT_SOURCE_DIR}/tests/unit" 1)
   if(RECOIL_SANITIZE)
     # Saves about two seconds a file. Only here: in the other builds every file has to bring its includes itself.
     target_precompile_headers(recoil_tests PRIVATE <fmt/format.h> <gtest/gtest.h> <algorithm> <array> <cmath> <filesystem>

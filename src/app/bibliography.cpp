@@ -60,7 +60,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 /// "Johnson, G. R.; Cook, W. H.: Title. Where, 1983"
-std::string text_of(std::map<std::string, std::string> f) {
+std::string reference_text(std::map<std::string, std::string> f) {
   std::string text = replaced(f["author"], " and ", "; ");
   if (!text.empty()) text += ": ";
   text += f["title"];
@@ -85,7 +85,7 @@ std::map<std::string, Source> read_bibliography(const fs::path& file) {
     if (open == std::string::npos || comma == std::string::npos) break;
     const std::size_t end = behind_brace(text, open);
     const std::string entry = text.substr(at, end - at), key = plain(text.substr(open + 1, comma - open - 1));
-    all[key] = {key, text_of(fields_of(entry)), entry};
+    all[key] = {key, reference_text(fields_of(entry)), entry};
     at = text.find('@', end);
   }
   return all;

@@ -6,11 +6,11 @@
 #include <cctype>
 #include <cstddef>
 
+#include "core/characters.hpp"
+
 namespace recoil::config {
 
 namespace {
-
-bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
 /// Places of a byte for people.
 struct LineColumn {

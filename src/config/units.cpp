@@ -4,7 +4,6 @@
 #include <udunits2.h>
 
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "config/unit_habits.hpp"
+#include "core/characters.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
 
@@ -32,9 +32,6 @@ ut_system* unit_system() {
     throw EnvironmentError("the unit definitions of udunits2 cannot be read; is libudunits2-data installed?");
   return all.get();
 }
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 std::string_view trimmed(std::string_view s) {
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };

@@ -1,19 +1,16 @@
 #include "config/unquoted.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <string_view>
 #include <system_error>
 
+#include "core/characters.hpp"
+
 namespace recoil::config {
 
 namespace {
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
 int characters(std::string_view s) {
   return static_cast<int>(std::count_if(s.begin(), s.end(), starts_character));

@@ -6,10 +6,9 @@
 #include <string_view>
 #include <vector>
 
-namespace recoil {
+#include "core/characters.hpp"
 
-/// Whether a byte begins a character of UTF-8.
-inline bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
+namespace recoil {
 
 /// The characters of a line. What a terminal would obey or could not show (control characters, bytes that are
 /// no UTF-8) is a question mark.

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "config/case.hpp"
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 #include "format/run_units.hpp"
 #include "gauge/column_list.hpp"
 #include "gauge/pair_sample.hpp"
@@ -19,9 +19,6 @@
 /// What a kind of gauge does. A kind has its declaration in config/gauge/NAME.hpp, and in
 /// gauge/kind/NAME_gauge.cpp the class of its watch and a make_watch() of its own.
 namespace recoil {
-
-/// The value of a gauge where there is nothing to measure.
-inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// What a record is made from: on rank 0, after the reduction.
 template <int Dim>

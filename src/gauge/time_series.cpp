@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/nothing.hpp"
+
 namespace recoil {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// Ends of windows and of curves count as equal within this part of the time.
 constexpr double same_time = 1e-9;
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 #include "picture/field_scalar.hpp"
 #include "picture/raster.hpp"
 #include "picture/space/cell_lookup.hpp"
@@ -105,8 +106,6 @@ class ObliqueRaster {
   }
 
  private:
-  static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
   template <class F>
   PlaneArray filled(F&& value) const {
     const auto [across, up] = axes_of(plane_);

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "core/closest.hpp"
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 #include "dynamics/primitives.hpp"
 #include "gauge/contact_fields.hpp"
 #include "gauge/point_state.hpp"
@@ -25,7 +25,6 @@ namespace recoil {
 
 namespace {
 
-constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr double near_surface = 2;  // dx
 
 /// What a dump holds of one cell, apart from the floats that follow it: variables, then phi of all bodies.
@@ -134,7 +133,7 @@ void pack_cell(const CellView<Dim>& c, const std::vector<FieldVariable>& variabl
     all += v;
     if (v > most) most = v, head.body = static_cast<std::int32_t>(m);
   }
-  std::fill(floats.begin(), floats.end(), nothing);
+  std::fill(floats.begin(), floats.end(), static_cast<float>(nothing));
   float* at = floats.data();
   const Body<Dim>* body = head.body < 0 ? nullptr : &bodies[head.body];
   bool good = false;

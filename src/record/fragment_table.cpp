@@ -1,7 +1,8 @@
 #include "record/fragment_table.hpp"
 
-#include <limits>
 #include <utility>
+
+#include "core/nothing.hpp"
 
 namespace recoil {
 
@@ -14,7 +15,6 @@ FragmentTable<Dim>::FragmentTable(std::vector<std::string> names, std::vector<bo
 
 template <int Dim>
 void FragmentTable<Dim>::begin_telling() {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   last_.clear();
   for (std::size_t m = 0; m < names_.size(); ++m) {
     if (rigid_[m]) continue;

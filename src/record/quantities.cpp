@@ -6,19 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "config/expected_columns.hpp"
 #include "config/units.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 #include "format/csv.hpp"
 
 namespace recoil {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 [[noreturn]] void unknown(const std::string& quantity, const std::string& what, const std::string& word,
                           const std::vector<std::string>& known) {

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "core/nothing.hpp"
 
 namespace recoil {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A counter that replaces or drops something, its limit, and what it did. `averaged-states` is judged body
 /// by body.
@@ -125,8 +124,8 @@ void judge_averages(const Evidence& e, const config::Limits& limits, Verdict& v)
                                      percent(recent), percent(limits.averaged_states_stop)),
                          recent,
                          limits.averaged_states_stop,
-                         unknown,
-                         unknown,
+                         nothing,
+                         nothing,
                          {},
                          true});
 }
@@ -146,8 +145,8 @@ void judge_steps(const Evidence& e, const config::Limits& limits, Verdict& v) {
                    e.unstable_steps, e.steps, percent(part), percent(limit)),
        part,
        limit,
-       unknown,
-       unknown,
+       nothing,
+       nothing,
        {},
        stops});
 }
@@ -167,8 +166,8 @@ void judge_counters(const Evidence& e, const config::Limits& limits, Verdict& v)
                                      found->second, percent(part), percent(limits.*c.limit)),
                          part,
                          limits.*c.limit,
-                         unknown,
-                         unknown,
+                         nothing,
+                         nothing,
                          {}});
   }
 }
@@ -191,8 +190,8 @@ void judge_budgets(const Evidence& e, const config::Limits& limits, Verdict& v) 
                                        stops ? limits.budget_stop : limits.budget),
                            error,
                            stops ? limits.budget_stop : limits.budget,
-                           unknown,
-                           unknown,
+                           nothing,
+                           nothing,
                            {},
                            stops});
     }
@@ -302,10 +301,10 @@ Verdict judge(const Evidence& e, const config::Limits& limits) {
     v.reasons.push_back({"error",
                          "",
                          e.failure.substr(0, e.failure.find('\n')),
-                         unknown,
-                         unknown,
-                         unknown,
-                         unknown,
+                         nothing,
+                         nothing,
+                         nothing,
+                         nothing,
                          {},
                          true});
   judge_steps(e, limits, v);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "app/plot/space_plotter.hpp"
 #include "config/geometry.hpp"
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 #include "picture/plot.hpp"
 #include "problem/shape.hpp"
 
@@ -21,7 +21,6 @@ namespace recoil::app {
 namespace {
 
 constexpr int pixels_along = 600;  // samples along the longer side
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Number of the body at each sample, from 1; and all outlines.
 template <int Dim>

@@ -34,7 +34,7 @@ struct BodyCells {
 };
 
 template <int Dim>
-std::vector<BodyCells> sample(const config::Case& c) {
+std::vector<BodyCells> sampled_cells(const config::Case& c) {
   const Grid<Dim> grid = make_grid<Dim>(c);
   double total = 1;
   for (int d = 0; d < Dim; ++d) total *= grid.cells[d];
@@ -76,7 +76,7 @@ template <int Dim>
 Estimate make_estimate(const config::Case& c, const std::vector<Material>& materials, double fastest) {
   Estimate e;
   e.cells = cells_of_domain<Dim>(c);
-  const std::vector<BodyCells> cells = sample<Dim>(c);
+  const std::vector<BodyCells> cells = sampled_cells<Dim>(c);
   double each_step = 0;
   for (std::size_t m = 0; m < cells.size(); ++m) {
     if (c.bodies[m].rigid) continue;
@@ -104,7 +104,9 @@ Estimate make_estimate(const config::Case& c, const std::vector<Material>& mater
 std::vector<double> cells_of_bodies(const config::Case& c) {
   const int dim = config::dimension(c.domain.geometry);
   std::vector<double> inside;
-  for (const BodyCells& b : dim == 1 ? sample<1>(c) : dim == 2 ? sample<2>(c) : sample<3>(c))
+  for (const BodyCells& b : dim == 1   ? sampled_cells<1>(c)
+                            : dim == 2 ? sampled_cells<2>(c)
+                                       : sampled_cells<3>(c))
     inside.push_back(b.inside);
   return inside;
 }

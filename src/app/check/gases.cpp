@@ -15,7 +15,7 @@ namespace recoil::app {
 
 namespace {
 
-constexpr double most_samples = 1e6;
+constexpr double most_cells = 1e6;
 constexpr double same_pressure = 1e-6;
 
 const IdealGas* gas_of(const LoadedCase& loaded, std::size_t m) {
@@ -30,7 +30,7 @@ bool is_free_somewhere(const config::Case& c, std::size_t m) {
   for (const config::Body& body : c.bodies) distance.push_back(signed_distance<Dim>(body.shape, c.domain));
   double total = 1;
   for (int d = 0; d < Dim; ++d) total *= grid.cells[d];
-  const int stride = static_cast<int>(std::max(1.0, std::ceil(std::pow(total / most_samples, 1.0 / Dim))));
+  const int stride = static_cast<int>(std::max(1.0, std::ceil(std::pow(total / most_cells, 1.0 / Dim))));
   Box<Dim> points;
   for (int d = 0; d < Dim; ++d) points.hi[d] = (grid.cells[d] + stride - 1) / stride;
   bool found = false;

@@ -16,7 +16,7 @@ namespace recoil::app {
 namespace {
 
 constexpr double most_samples = 1e5;
-constexpr double endless = 1e300;
+constexpr double unending = 1e300;
 
 /// Climbs from a point to the nearest place in the domain that is deepest inside: the depth there [m]. Bodies
 /// go on beyond the edges of the domain, where there is no end to climbing.
@@ -58,7 +58,7 @@ double largest_ball(const config::Shape& shape, const config::Case& c) {
   });
   // Outside of all samples a shape may still be thinner than what lies between them.
   return depth < -stride * grid.dx
-             ? endless
+             ? unending
              : 2 * std::max(0.0, climb(grid, distance, deepest, stride * grid.dx, 1e-3 * grid.dx));
 }
 
@@ -83,13 +83,13 @@ bool is_sampled(const config::Shape& shape) {
 }  // namespace
 
 double least_thickness(const config::Shape& shape, const config::Case& c) {
-  if (const double told = thickness(shape, c.domain); told < endless) return told;
+  if (const double told = thickness(shape, c.domain); told < unending) return told;
   if (const auto* whole = std::get_if<config::Union>(&shape.form)) {
-    double least = endless;
+    double least = unending;
     for (const config::Shape& part : whole->parts) least = std::min(least, least_thickness(part, c));
     return least;
   }
-  if (!is_sampled(shape)) return endless;
+  if (!is_sampled(shape)) return unending;
   switch (config::dimension(c.domain.geometry)) {
     case 1:
       return largest_ball<1>(shape, c);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "config/geometry.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 #include "format/csv.hpp"
 #include "picture/axis.hpp"
 #include "picture/field_picture.hpp"
@@ -193,7 +193,6 @@ FieldPlane FieldPlotter::plane_of(const ChosenDump& dump) const {
   FieldPlane plane = whole_plane(dump);
   if (draws_curves()) return plane;
   if (box_) {
-    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     pad(plane.values, *box_, nothing);
     pad(plane.matter, *box_, 8 * std::max(plane.matter.dx, plane.matter.dy));
     for (PlaneArray& phi : plane.level_sets) pad(phi, *box_, nothing);

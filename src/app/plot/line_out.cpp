@@ -12,6 +12,7 @@
 
 #include "app/plot/plot_file.hpp"
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 
 namespace recoil::app {
 
@@ -20,7 +21,6 @@ namespace {
 /// The value at (u, v), in cells from the lower left corner: linear between the four nearest centres of
 /// cells, of which those without matter do not count. NaN in a cell without matter.
 double value_at(const PlaneArray& a, double u, double v) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   if (!(u >= 0 && u < a.nx && v >= 0 && v < a.ny)) return nothing;
   if (std::isnan(a.at(static_cast<int>(u), static_cast<int>(v)))) return nothing;
   const int i = static_cast<int>(std::floor(u - 0.5)), j = static_cast<int>(std::floor(v - 0.5));

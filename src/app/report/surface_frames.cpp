@@ -22,7 +22,7 @@ namespace recoil::app {
 
 namespace {
 
-constexpr std::size_t most_frames = 24;
+constexpr std::size_t most_surface_frames = 24;
 constexpr double most_cells = 80;   // of the lattice along the longest side
 constexpr double point_parts = 16;  // of its spacing, in which points are stored
 constexpr int value_bits = 8;       // as many as there are colours
@@ -82,7 +82,7 @@ SurfaceFrames::SurfaceFrames(const RunDumps& found, const config::Case& c, doubl
   const std::vector<ChosenDump>& dumps = found.whole;
   if (dumps.empty()) return;
   const double one = static_cast<double>(frame_of(dumps.back(), c).size());  // the most deformed surfaces
-  const auto room = static_cast<std::size_t>(std::clamp(most / one, 0.0, double{most_frames}));
+  const auto room = static_cast<std::size_t>(std::clamp(most / one, 0.0, double{most_surface_frames}));
   for (const std::size_t k : evenly(dumps.size(), room)) frames_.push_back(frame_of(dumps[k], c));
 }
 

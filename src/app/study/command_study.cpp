@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,6 +21,7 @@
 #include "app/study/study_table.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 #include "format/json_files.hpp"
 
 namespace recoil::app {
@@ -29,8 +29,6 @@ namespace recoil::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double quantity(const std::string& text, const char* unit, const char* option) {
   const config::Quantity q = config::parse_quantity(text, unit, option);

@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "config/units.hpp"
+#include "core/nothing.hpp"
 #include "format/csv.hpp"
 #include "picture/line_chart.hpp"
 #include "record/quantities.hpp"
@@ -17,8 +17,6 @@ namespace recoil::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Errors of more quantities than this are no chart any more.
 constexpr std::size_t most_curves = 9;

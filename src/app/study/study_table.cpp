@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <map>
 
 #include "config/units.hpp"
+#include "core/nothing.hpp"
 #include "format/csv.hpp"
 
 namespace recoil::app {
@@ -17,7 +17,6 @@ namespace recoil::app {
 namespace {
 
 constexpr double round_off = 1e-10;  // of a reference or a limit: an error below it has no order
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double in_unit(double si, const std::string& unit) { return unit.empty() ? si : config::in_unit(si, unit); }
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
+#include "core/nothing.hpp"
 #include "format/csv.hpp"
 
 namespace recoil::app {
@@ -18,8 +18,6 @@ namespace recoil::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double number(const Json& j, const char* key) {
   return j.contains(key) && j[key].is_number() ? j[key].get<double>() : nothing;

@@ -3,21 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "app/run/reporter.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 
 namespace recoil::app {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A number for sorting: that of the value in a range, or its position in a list.
 double rank_of(const SweptKey& key, const std::string& value) {

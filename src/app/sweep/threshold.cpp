@@ -2,19 +2,15 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "app/sweep/swept_keys.hpp"
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 
 namespace recoil::app {
 
-namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 Threshold::Threshold(std::vector<double> points, double within)
     : points_(std::move(points)), within_(within) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/nothing.hpp"
 #include "picture/field_plane.hpp"
 #include "picture/field_scalar.hpp"
 
@@ -18,7 +19,6 @@ namespace recoil {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double far_cells = 2;  // a dump has all cells that are nearer to a surface
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 
-namespace recoil::app {
+namespace recoil::app::load_case_test {
 namespace {
 
 const std::string flyer = std::string(RECOIL_SOURCE_DIR) + "/cases/flyer_al_cu";
@@ -83,4 +83,4 @@ TEST(CheckLogic, DoubtfulMaterialIsAWarning) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::load_case_test

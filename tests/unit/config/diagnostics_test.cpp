@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace recoil::config {
+namespace recoil::config::diagnostics_test {
 namespace {
 
 TEST(Diagnostics, ShowsTheLineACaretAndTheCure) {
@@ -84,4 +84,4 @@ TEST(Diagnostics, WarningsAreNoErrors) {
 }
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::diagnostics_test

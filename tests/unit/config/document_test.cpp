@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace recoil::config {
+namespace recoil::config::document_test {
 namespace {
 
 TEST(Document, KeepsOrderAndPlaces) {
@@ -82,4 +82,4 @@ TEST(Document, PutsAndMerges) {
 }
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::document_test

@@ -4,7 +4,7 @@
 
 #include "config/read_case.hpp"
 
-namespace recoil::config {
+namespace recoil::config::gauge_kinds_test {
 namespace {
 
 /// A case with a bar, a wall and one gauge of these keys.
@@ -97,4 +97,4 @@ TEST(GaugeKinds, MistakesGetACure) {
 }
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::gauge_kinds_test

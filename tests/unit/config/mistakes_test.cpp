@@ -7,7 +7,7 @@
 #include "config/overrides.hpp"
 #include "config/read_case.hpp"
 
-namespace recoil::config {
+namespace recoil::config::mistakes_test {
 namespace {
 
 /// A right case, to be spoiled one line at a time.
@@ -288,4 +288,4 @@ TEST(MistakesTogether, OfTheCommandLineWhereACaseHasNoneOfAKind) {
 }
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::mistakes_test

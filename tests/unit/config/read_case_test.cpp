@@ -12,7 +12,7 @@
 #include "../support/sanitized.hpp"
 #include "../support/scratch_folder.hpp"
 
-namespace recoil::config {
+namespace recoil::config::read_case_test {
 namespace {
 
 const std::string flyer = R"(format = 1
@@ -220,4 +220,4 @@ TEST(ReadCase, ADamagedFileNeverCrashes) {
 }
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::read_case_test

@@ -7,7 +7,7 @@
 
 #include "config/read_case.hpp"
 
-namespace recoil::config {
+namespace recoil::config::read_contact_test {
 namespace {
 
 using enum ContactChoice::Mode;
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(
                 "'1 kg' has dimension", "kg/m"}));
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::read_contact_test

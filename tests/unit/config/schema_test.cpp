@@ -12,7 +12,7 @@
 #include "config/units.hpp"
 #include "core/error.hpp"
 
-namespace recoil::config {
+namespace recoil::config::schema_test {
 namespace {
 
 using nlohmann::json;
@@ -116,4 +116,4 @@ TEST(ReferencePage, NamesEveryKey) {
 }
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::schema_test

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace recoil::config {
+namespace recoil::config::table_test {
 namespace {
 
 const std::vector<Key> keys{
@@ -117,4 +117,4 @@ TEST(Table, ReportsWrongTypes) {
 }
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::table_test

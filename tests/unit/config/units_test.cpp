@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 
-namespace recoil::config {
+namespace recoil::config::units_test {
 namespace {
 
 double si(const char* text, const char* unit) {
@@ -101,4 +101,4 @@ TEST(Units, RoundTrips) {
 }
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::units_test

@@ -7,7 +7,7 @@
 
 #include "../core/random.hpp"
 
-namespace recoil {
+namespace recoil::friction_test {
 namespace {
 
 constexpr double za = 8e6, zb = 20e6, infinite = std::numeric_limits<double>::infinity();  // Pa s/m
@@ -76,4 +76,4 @@ TEST(Friction, ExchangingTheBodiesTurnsTheTraction) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::friction_test

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace recoil {
+namespace recoil::seed_contact_test {
 namespace {
 
 TEST(Colliding, TakesTheSizeOfTheGapOnly) {
@@ -96,4 +96,4 @@ TEST(FitAtOrigin, TooFewOrInOneRowIsNoField) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::seed_contact_test

@@ -6,7 +6,7 @@
 
 #include "../core/random.hpp"
 
-namespace recoil {
+namespace recoil::touch_test {
 namespace {
 
 constexpr double za = 15e6, zb = 40e6;  // Pa s/m
@@ -105,4 +105,4 @@ TEST(Touch, AFreeSurfaceDoublesTheVelocityOfAWave) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::touch_test

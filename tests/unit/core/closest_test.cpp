@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace recoil {
+namespace recoil::closest_test {
 namespace {
 
 TEST(Closest, CountsEditsAndSwaps) {
@@ -54,4 +54,4 @@ TEST(Closest, WritesAQuestion) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::closest_test

@@ -13,7 +13,7 @@
 #include "core/exact_batch.hpp"
 #include "random.hpp"
 
-namespace recoil {
+namespace recoil::exact_sum_test {
 namespace {
 
 double sum_of(const std::vector<double>& terms) {
@@ -110,4 +110,4 @@ TEST(ExactSum, ManyAtATime) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::exact_sum_test

@@ -4,7 +4,7 @@
 
 #include "dimensions.hpp"
 
-namespace recoil {
+namespace recoil::index_test {
 namespace {
 
 template <class D>
@@ -74,4 +74,4 @@ TEST(Power, IsAnInteger) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::index_test

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace recoil {
+namespace recoil::marks_test {
 namespace {
 
 TEST(Marks, EveryMarkIsFoundInItsOrder) {
@@ -33,4 +33,4 @@ TEST(Marks, NoneIsFoundWhereNoneIs) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::marks_test

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace recoil {
+namespace recoil::scratch_test {
 namespace {
 
 bool aligned(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % 64 == 0; }
@@ -71,4 +71,4 @@ TEST(Scratch, FillsEveryValue) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::scratch_test

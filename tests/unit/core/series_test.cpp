@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace recoil {
+namespace recoil::series_test {
 namespace {
 
 TEST(Series, AreExactToRounding) {
@@ -18,4 +18,4 @@ TEST(Series, AreExactToRounding) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::series_test

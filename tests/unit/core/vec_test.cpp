@@ -3,7 +3,7 @@
 #include "dimensions.hpp"
 #include "random.hpp"
 
-namespace recoil {
+namespace recoil::vec_test {
 namespace {
 
 template <class D>
@@ -40,4 +40,4 @@ TEST(MainAxis, IsTheLargestByMagnitudeAndTheLowerOfEquals) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::vec_test

@@ -7,7 +7,7 @@
 #include "../core/dimensions.hpp"
 #include "../core/random.hpp"
 
-namespace recoil {
+namespace recoil::clip_test {
 namespace {
 
 /// Matter where normal . x < offset, in the unit cell.
@@ -186,4 +186,4 @@ TEST(ClipCube, ACornerIsATetrahedron) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::clip_test

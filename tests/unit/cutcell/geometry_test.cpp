@@ -9,7 +9,7 @@
 #include "../core/dimensions.hpp"
 #include "bodies.hpp"
 
-namespace recoil {
+namespace recoil::geometry_test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -362,4 +362,4 @@ TEST(PhiNormal, ARidgeStillHasANormal) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::geometry_test

@@ -8,7 +8,7 @@
 #include "cutcell/lost_fragment.hpp"
 #include "cutcell/moves.hpp"
 
-namespace recoil {
+namespace recoil::lost_fragments_test {
 namespace {
 
 TEST(BordersCrossed, KeepTheVelocityOnAverage) {
@@ -137,4 +137,4 @@ TYPED_TEST(LostFragments, SpreadWhereACellHoldsMoreThanOne) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::lost_fragments_test

@@ -1,7 +1,7 @@
 #include "moves_fixture.hpp"
 
 /// Moves of volume where another body has a part of the cells.
-namespace recoil {
+namespace recoil::moves_room_test {
 namespace {
 
 template <class D>
@@ -85,4 +85,4 @@ TYPED_TEST(MovesBesideAnother, WhatLiesOutsideGoesWhereOtherBodiesLeaveRoom) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::moves_room_test

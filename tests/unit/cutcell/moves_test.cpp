@@ -7,7 +7,7 @@
 
 #include "moves_fixture.hpp"
 
-namespace recoil {
+namespace recoil::moves_test {
 namespace {
 
 TYPED_TEST_SUITE(Moves, Dimensions);
@@ -314,4 +314,4 @@ TYPED_TEST(Moves, BlocksWithoutReachAreLeftAlone) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::moves_test

@@ -10,7 +10,7 @@
 #include "../core/dimensions.hpp"
 #include "bodies.hpp"
 
-namespace recoil {
+namespace recoil::redistribution_test {
 namespace {
 
 template <class D>
@@ -287,4 +287,4 @@ TYPED_TEST(Redistributing, BlocksDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::redistribution_test

@@ -16,7 +16,7 @@
 #include "state/sent_cells.hpp"
 
 /// What processes do not send each other of contents, the phases that it is sent for do not read.
-namespace recoil {
+namespace recoil::sent_contents_test {
 namespace {
 
 template <class D>
@@ -148,4 +148,4 @@ TYPED_TEST(SentContents, AreAllThatMovesRead) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::sent_contents_test

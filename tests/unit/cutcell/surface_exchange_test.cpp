@@ -9,7 +9,7 @@
 #include "dynamics/primitives.hpp"
 #include "moves_fixture.hpp"
 
-namespace recoil {
+namespace recoil::surface_exchange_test {
 namespace {
 
 template <class D>
@@ -131,4 +131,4 @@ TYPED_TEST(SurfaceExchange, EvensOutWhatPhiLagsBehind) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::surface_exchange_test

@@ -6,7 +6,7 @@
 #include "moves_fixture.hpp"
 
 /// What a whole cell may take from a neighbour that has little.
-namespace recoil {
+namespace recoil::taken_volume_test {
 namespace {
 
 /// Contents of `mass` at a velocity along the first axis and an internal energy per mass.
@@ -109,4 +109,4 @@ TYPED_TEST(TakenVolumes, AreSharedByThoseThatTakeFromTheSameCell) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::taken_volume_test

@@ -9,7 +9,7 @@
 
 #include "bodies.hpp"
 
-namespace recoil {
+namespace recoil::whole_cells_test {
 namespace {
 
 /// A half space of copper in one state, cut askew, in fragments as the level set has them.
@@ -106,4 +106,4 @@ TYPED_TEST(WholeCells, AGhostWithoutAValueIsCounted) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::whole_cells_test

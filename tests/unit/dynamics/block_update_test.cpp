@@ -10,7 +10,7 @@
 #include "dynamics/primitives.hpp"
 #include "kernels/row_kernels.hpp"
 
-namespace recoil {
+namespace recoil::block_update_test {
 namespace {
 
 /// State of every cell of a body that fills the domain, from its place.
@@ -329,4 +329,4 @@ TEST_F(AxisymmetricUpdate, ShearAlongTheAxis) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::block_update_test

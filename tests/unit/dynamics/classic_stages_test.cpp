@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace recoil {
+namespace recoil::classic_stages_test {
 namespace {
 
 /// dQ/dt = -Q by the rule, for one block of a single number.
@@ -35,4 +35,4 @@ TEST(ClassicStages, OneStepIsTheTaylorPolynomial) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::classic_stages_test

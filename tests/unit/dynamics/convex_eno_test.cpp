@@ -8,7 +8,7 @@
 
 #include "../core/random.hpp"
 
-namespace recoil {
+namespace recoil::convex_eno_test {
 namespace {
 
 double face(const std::array<double, 5>& v) { return convex_eno3(v[0], v[1], v[2], v[3], v[4]); }
@@ -66,4 +66,4 @@ TEST(ConvexEno3, TakesTheLineWhereTheParabolasDisagree) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::convex_eno_test

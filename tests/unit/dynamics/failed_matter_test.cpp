@@ -9,7 +9,7 @@
 #include "dynamics/primitives.hpp"
 #include "dynamics/stress_invariants.hpp"
 
-namespace recoil {
+namespace recoil::failed_matter_test {
 namespace {
 
 template <class D>
@@ -144,4 +144,4 @@ TYPED_TEST(FailedMatterState, WithoutARateMatterFailsAtTheEndOfAStep) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::failed_matter_test

@@ -10,7 +10,7 @@
 #include "../cutcell/bodies.hpp"
 #include "material/eos/any_eos.hpp"
 
-namespace recoil {
+namespace recoil::flux_test {
 namespace {
 
 const MieGruneisen copper{8930, 3940, 1.49, 2.0};
@@ -311,4 +311,4 @@ TEST(FaceFluxesRow, FacesOfARowAreIndependent) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::flux_test

@@ -9,7 +9,7 @@
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"
 
-namespace recoil {
+namespace recoil::inadmissible_test {
 namespace {
 
 template <class D>
@@ -199,4 +199,4 @@ TYPED_TEST(Inadmissible, GoodStatesAndEmptyBlocksAreLeftAlone) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::inadmissible_test

@@ -6,7 +6,7 @@
 
 #include "../material/samples.hpp"
 
-namespace recoil {
+namespace recoil::loading_test {
 namespace {
 
 using C = Components<2>;
@@ -60,4 +60,4 @@ TEST(Loading, IsOfYieldingMatterAndOfAMelt) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::loading_test

@@ -6,7 +6,7 @@
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"
 
-namespace recoil {
+namespace recoil::open_voids_test {
 namespace {
 
 template <class D>
@@ -110,4 +110,4 @@ TYPED_TEST(Voids, GasGivesWayToOtherBodies) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::open_voids_test

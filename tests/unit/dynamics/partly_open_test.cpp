@@ -6,7 +6,7 @@
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"
 
-namespace recoil {
+namespace recoil::partly_open_test {
 namespace {
 
 /// A block of matter without surfaces with velocities from a field u(index).
@@ -74,4 +74,4 @@ TYPED_TEST(PartlyOpenFaces, DoNotTurnWhereMatterIsTorn) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::partly_open_test

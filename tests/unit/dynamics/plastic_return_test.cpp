@@ -7,7 +7,7 @@
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"
 
-namespace recoil {
+namespace recoil::plastic_return_test {
 namespace {
 
 template <class D>
@@ -244,4 +244,4 @@ TYPED_TEST(PlasticReturn, TheRungeKuttaMean) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::plastic_return_test

@@ -11,7 +11,7 @@
 #include "../cutcell/bodies.hpp"
 #include "core/error.hpp"
 
-namespace recoil {
+namespace recoil::primitives_test {
 namespace {
 
 template <class D>
@@ -233,4 +233,4 @@ TYPED_TEST(States, AStateThatIsNotANumberIsAnErrorWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::primitives_test

@@ -4,7 +4,7 @@
 
 #include "../core/dimensions.hpp"
 
-namespace recoil {
+namespace recoil::components_test {
 namespace {
 
 template <class D>
@@ -60,4 +60,4 @@ TYPED_TEST(Numbers, MirroringTurnsVectorsAndTensors) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::components_test

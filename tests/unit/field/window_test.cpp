@@ -8,7 +8,7 @@
 #include "../core/dimensions.hpp"
 #include "../mesh/grids.hpp"
 
-namespace recoil {
+namespace recoil::window_test {
 namespace {
 
 /// The rules of the edges in closed form, for one axis of n cells.
@@ -234,4 +234,4 @@ TYPED_TEST(Windows, PointsAppearMirroredOrMovedLikeTheirCells) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::window_test

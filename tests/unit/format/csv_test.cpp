@@ -15,7 +15,7 @@
 #include "../support/scratch_folder.hpp"
 #include "core/error.hpp"
 
-namespace recoil {
+namespace recoil::csv_test {
 namespace {
 
 std::string contents(const std::filesystem::path& path) {
@@ -139,4 +139,4 @@ RC_GTEST_PROP(CsvOfAnything, NumbersAndTextsComeBack, (const std::vector<double>
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::csv_test

@@ -10,7 +10,7 @@
 #include "../support/scratch_folder.hpp"
 #include "core/error.hpp"
 
-namespace recoil {
+namespace recoil::json_files_test {
 namespace {
 
 std::string contents(const std::filesystem::path& path) {
@@ -42,4 +42,4 @@ TEST(JsonFiles, SaysWhyAFileCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::json_files_test

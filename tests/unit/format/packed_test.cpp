@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace recoil {
+namespace recoil::packed_test {
 namespace {
 
 /// The bytes behind a text of the 64 characters, by its definition.
@@ -81,4 +81,4 @@ TEST(Packed, FloatsComeBack) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::packed_test

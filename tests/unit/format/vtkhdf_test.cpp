@@ -16,7 +16,7 @@
 #include "../support/scratch_folder.hpp"
 #include "core/error.hpp"
 
-namespace recoil {
+namespace recoil::vtkhdf_test {
 namespace {
 
 /// A grid of boxes of two sizes (as refined leaves have) with a field of each kind.
@@ -193,4 +193,4 @@ TEST(Series, RoundTripAndTheKeysThatParaviewReads) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::vtkhdf_test

@@ -10,7 +10,7 @@
 
 #include "../support/small_case.hpp"
 
-namespace recoil {
+namespace recoil::attitude_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -112,4 +112,4 @@ shape = { kind = "union", parts = [
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::attitude_test

@@ -8,7 +8,7 @@
 
 #include "../support/small_case.hpp"
 
-namespace recoil {
+namespace recoil::bar_shape_test {
 namespace {
 
 /// A bar above a wall, cells of 0.25 mm that fit neither of them.
@@ -88,4 +88,4 @@ TEST(BarShape, FootRadiusIsThatOfTheFoot) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::bar_shape_test

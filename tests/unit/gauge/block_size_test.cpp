@@ -18,7 +18,7 @@
 #include "timestep/step.hpp"
 
 /// What a run shows does not depend on the size of its blocks, to the last bit: fields, gauges, history.
-namespace recoil {
+namespace recoil::block_size_test {
 namespace {
 
 /// Plates turned by 30 degrees that meet and slide; the contact crosses edges of blocks of all sizes.
@@ -314,4 +314,4 @@ TEST(BlockSize, DoesNotShowInTheMotionOfARigidBody) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::block_size_test

@@ -11,7 +11,7 @@
 #include "../support/small_case.hpp"
 #include "gauge/gauge_watch.hpp"
 
-namespace recoil {
+namespace recoil::breaking_gauges_test {
 namespace {
 
 /// What the only gauge of a case records of its start.
@@ -143,4 +143,4 @@ TEST(PeakTension, OfMatterAtRestIsNone) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::breaking_gauges_test

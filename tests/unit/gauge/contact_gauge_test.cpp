@@ -14,7 +14,7 @@
 #include "record/recorder.hpp"
 #include "timestep/step.hpp"
 
-namespace recoil {
+namespace recoil::contact_gauge_test {
 namespace {
 
 /// Elastic plates of 1 mm, turned by 30 degrees, that meet at 20 m/s across and slide at 10 m/s along.
@@ -175,4 +175,4 @@ TEST(ContactFields, SurfacesThatPartedAreOpened) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::contact_gauge_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace recoil {
+namespace recoil::due_test {
 namespace {
 
 TEST(Due, OncePerIntervalWhateverTheSteps) {
@@ -36,4 +36,4 @@ TEST(Due, ZeroIsAlways) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::due_test

@@ -13,7 +13,7 @@
 #include "../support/small_case.hpp"
 #include "gauge/totals.hpp"
 
-namespace recoil {
+namespace recoil::fragments_test {
 namespace {
 
 constexpr double mm = 1e-3, dx = 0.2 * mm, speed = 100;
@@ -242,4 +242,4 @@ TYPED_TEST(MpiFragments, DoNotDependOnBlocksAndProcesses) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::fragments_test

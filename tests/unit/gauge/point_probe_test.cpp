@@ -11,7 +11,7 @@
 
 #include "../support/small_case.hpp"
 
-namespace recoil {
+namespace recoil::point_probe_test {
 namespace {
 
 constexpr double dx = 0.25e-3;
@@ -167,4 +167,4 @@ TEST(PointProbe, FollowsTheMatterToSecondOrder) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::point_probe_test

@@ -6,7 +6,7 @@
 
 #include "../support/small_case.hpp"
 
-namespace recoil {
+namespace recoil::point_state_test {
 namespace {
 
 TEST(PointState, OfAStrainedPiece) {
@@ -66,4 +66,4 @@ TEST(PointState, ElasticDistortionIsNoHeat) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::point_state_test

@@ -6,7 +6,7 @@
 
 #include "../support/small_case.hpp"
 
-namespace recoil {
+namespace recoil::probes_test {
 namespace {
 
 const char* slab = R"(
@@ -98,4 +98,4 @@ TEST(Probes, WallsThreeCellsAwayCountWhereNoneIsNearer) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::probes_test

@@ -8,7 +8,7 @@
 #include "../core/random.hpp"
 #include "gauge/time_series.hpp"
 
-namespace recoil {
+namespace recoil::pullback_signal_test {
 namespace {
 
 /// A rise in a time of 1 to 300, a plateau to 2, a straight fall by 120 to 3, then ringing of a period of
@@ -75,4 +75,4 @@ TEST(PullbackSignal, IsThatOfTheRecord) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::pullback_signal_test

@@ -6,7 +6,7 @@
 
 #include "../support/small_case.hpp"
 
-namespace recoil {
+namespace recoil::stress_line_test {
 namespace {
 
 State<1> slab() {
@@ -67,4 +67,4 @@ TEST(StressLine, RidesAndKeepsThePeak) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::stress_line_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace recoil {
+namespace recoil::time_series_test {
 namespace {
 
 const Curve ramp{{0, 1, 3}, {0, 2, 2}};  // up to 2 in 1 s, then level
@@ -54,4 +54,4 @@ TEST(TimeSeries, ColumnsByName) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::time_series_test

@@ -9,7 +9,7 @@
 #include "../support/small_case.hpp"
 #include "format/run_units.hpp"
 
-namespace recoil {
+namespace recoil::totals_test {
 namespace {
 
 const char* ring = R"(
@@ -190,4 +190,4 @@ TEST(Totals, LedgersOfAllBlocksCount) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::totals_test

@@ -5,7 +5,7 @@
 
 #include "walls_fixture.hpp"
 
-namespace recoil {
+namespace recoil::contact_records_test {
 namespace {
 
 /// What the walls leave for others to read: the ledger of pairs, the list of contacts, the bits of partners.
@@ -152,4 +152,4 @@ TEST(WallsOfThree, ForcesOfAllPairsBalance) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::contact_records_test

@@ -9,7 +9,7 @@
 #include "../core/dimensions.hpp"
 #include "prepared.hpp"
 
-namespace recoil {
+namespace recoil::fit_test {
 namespace {
 
 template <class D>
@@ -297,4 +297,4 @@ TYPED_TEST(Fits, LonePiecesMoveWithWhatTheyHold) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::fit_test

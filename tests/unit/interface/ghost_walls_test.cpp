@@ -13,7 +13,7 @@
 #include "state/contact_sums.hpp"
 
 /// The walls of both ghost-fluid schemes.
-namespace recoil {
+namespace recoil::ghost_walls_test {
 namespace {
 
 enum class Kind { improved, seed };
@@ -216,4 +216,4 @@ TYPED_TEST(GhostWalls, TheViewRemembersContact) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::ghost_walls_test

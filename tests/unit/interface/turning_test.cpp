@@ -13,7 +13,7 @@
 #include "prepared.hpp"
 
 /// Bodies that turn without stress: whatever is computed at their surfaces must keep them so.
-namespace recoil {
+namespace recoil::turning_test {
 namespace {
 
 template <class D>
@@ -179,4 +179,4 @@ TYPED_TEST(TurningBodies, ANeighbourhoodTurnsNoFasterThanItsDonorsDiffer) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::turning_test

@@ -11,7 +11,7 @@
 #include "interface/walls.hpp"
 #include "prepared.hpp"
 
-namespace recoil {
+namespace recoil::values_test {
 namespace {
 
 /// @param look(block) at the ghosts that have been chosen.
@@ -371,4 +371,4 @@ TYPED_TEST(Values, AveragesStayWhereMatterCouldNotFollow) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::values_test

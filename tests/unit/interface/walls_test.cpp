@@ -9,7 +9,7 @@
 #include "interface/surface_state.hpp"
 #include "walls_fixture.hpp"
 
-namespace recoil {
+namespace recoil::walls_test {
 namespace {
 
 TYPED_TEST_SUITE(Walls, Dimensions);
@@ -295,4 +295,4 @@ TYPED_TEST(Walls, AThinRigidBodyStopsABody) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::walls_test

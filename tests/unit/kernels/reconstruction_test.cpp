@@ -10,7 +10,7 @@
 
 #include "../core/random.hpp"
 
-namespace recoil {
+namespace recoil::reconstruction_test {
 namespace {
 
 constexpr double least = 1e-12;
@@ -157,4 +157,4 @@ TEST(Mp5, AShortWaveGetsTheLinearWeights) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::reconstruction_test

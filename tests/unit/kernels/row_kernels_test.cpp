@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace recoil::detail {
+namespace recoil::detail::row_kernels_test {
 namespace {
 
 constexpr double rho = 8000, sound = 5000, at_rest = 0, jump = 1e6, half = 0.5;
@@ -110,4 +110,4 @@ TEST(Differences, SetAsIfAddedToZero) {
 }
 
 }  // namespace
-}  // namespace recoil::detail
+}  // namespace recoil::detail::row_kernels_test

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace recoil::detail {
+namespace recoil::detail::strong_shocks_test {
 namespace {
 
 constexpr double rho = 8000, sound = 5000;
@@ -103,4 +103,4 @@ TEST(ThinMatter, IsFirstOrderWhereItThinsOut) {
 }
 
 }  // namespace
-}  // namespace recoil::detail
+}  // namespace recoil::detail::strong_shocks_test

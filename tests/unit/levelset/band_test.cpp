@@ -8,7 +8,7 @@
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"
 
-namespace recoil {
+namespace recoil::band_test {
 namespace {
 
 template <class D>
@@ -128,4 +128,4 @@ TYPED_TEST(Bands, InsideBlocksAreWhole) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::band_test

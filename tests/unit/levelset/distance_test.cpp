@@ -8,7 +8,7 @@
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"
 
-namespace recoil {
+namespace recoil::distance_test {
 namespace {
 
 template <class D>
@@ -144,4 +144,4 @@ TYPED_TEST(Distances, FootPointsLieOnTheSurface) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::distance_test

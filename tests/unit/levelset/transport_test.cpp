@@ -8,7 +8,7 @@
 #include "../core/dimensions.hpp"
 #include "../cutcell/bodies.hpp"
 
-namespace recoil {
+namespace recoil::transport_test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -287,4 +287,4 @@ TYPED_TEST(FollowingVolume, RigidBodiesAreWhereTheirMotionPutsThem) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::transport_test

@@ -7,7 +7,7 @@
 
 #include "samples.hpp"
 
-namespace recoil {
+namespace recoil::damage_test {
 namespace {
 
 /// Every model: nothing grows at rest nor under pressure, damage grows with tension, and never falls.
@@ -88,4 +88,4 @@ TEST(Damage, FailedMatterBearsAsMuchAsItsFriction) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::damage_test

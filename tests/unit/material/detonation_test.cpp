@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace recoil {
+namespace recoil::detonation_test {
 namespace {
 
 /// TNT: Lee, Hornig & Kury (1968) give 6930 m/s and 21.0 GPa with these constants.
@@ -23,4 +23,4 @@ TEST(Detonation, FrontIsSonic) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::detonation_test

@@ -6,7 +6,7 @@
 
 #include "samples.hpp"
 
-namespace recoil {
+namespace recoil::highest_temperature_test {
 namespace {
 
 Thermal thermal_by(Thermal::Rule rule) {
@@ -41,4 +41,4 @@ TEST(HighestTemperature, IsThatAtRest) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::highest_temperature_test

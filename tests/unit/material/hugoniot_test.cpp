@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "samples.hpp"
 
-namespace recoil {
+namespace recoil::hugoniot_test {
 namespace {
 
 using samples::aluminium;
@@ -160,4 +160,4 @@ TEST(Hugoniot, OfMatterWhoseYieldFollowsPressure) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::hugoniot_test

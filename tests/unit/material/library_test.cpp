@@ -13,7 +13,7 @@
 
 #include "material/hugoniot.hpp"
 
-namespace recoil {
+namespace recoil::library_test {
 namespace {
 
 const std::filesystem::path folder = std::filesystem::path(RECOIL_SOURCE_DIR) / "materials";
@@ -294,4 +294,4 @@ TEST(Library, OwnFoldersComeFirst) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::library_test

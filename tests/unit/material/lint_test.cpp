@@ -9,7 +9,7 @@
 #include "material/library.hpp"
 #include "samples.hpp"
 
-namespace recoil {
+namespace recoil::lint_test {
 namespace {
 
 bool finds(const Material& m, const std::string& word) {
@@ -117,4 +117,4 @@ TEST(Lint, LetsCeramicsBeHarderThanMetals) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::lint_test

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace recoil {
+namespace recoil::ls_dyna_test {
 namespace {
 
 /// OFHC copper of Johnson & Cook (1983), in g, cm, us and K: pressures in Mbar.
@@ -106,4 +106,4 @@ TEST(LsDyna, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::ls_dyna_test

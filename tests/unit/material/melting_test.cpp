@@ -8,7 +8,7 @@
 #include "material/starting_state.hpp"
 #include "samples.hpp"
 
-namespace recoil {
+namespace recoil::melting_test {
 namespace {
 
 constexpr double specific_heat = 383.5, heat = 208.7e3, melting_temperature_of_copper = 1357.77;
@@ -116,4 +116,4 @@ TEST(Melting, NoStateMeltsBelowTheBound) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::melting_test

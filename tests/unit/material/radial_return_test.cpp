@@ -6,7 +6,7 @@
 
 #include "samples.hpp"
 
-namespace recoil {
+namespace recoil::radial_return_test {
 namespace {
 
 /// The state after an increment dep within dt.
@@ -148,4 +148,4 @@ TEST(RadialReturn, TimeStepMattersOnlyThroughTheRate) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::radial_return_test

@@ -6,7 +6,7 @@
 
 #include "samples.hpp"
 
-namespace recoil {
+namespace recoil::temperature_test {
 namespace {
 
 TemperatureLaw by_energy(const Eos& eos) {
@@ -119,4 +119,4 @@ TEST(Temperature, IsentropeOfProducts) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::temperature_test

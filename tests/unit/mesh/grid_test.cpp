@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "grids.hpp"
 
-namespace recoil {
+namespace recoil::grid_test {
 namespace {
 
 template <class D>
@@ -77,4 +77,4 @@ TYPED_TEST(Grids, APrimeNumberOfPeriodicCellsIsAnError) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::grid_test

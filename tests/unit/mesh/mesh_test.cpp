@@ -11,7 +11,7 @@
 #include "field/exchange.hpp"
 #include "grids.hpp"
 
-namespace recoil {
+namespace recoil::mesh_test {
 namespace {
 
 template <int Dim>
@@ -182,4 +182,4 @@ TYPED_TEST(MpiMesh, ExchangeBringsTheNeighboursData) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::mesh_test

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace recoil::parallel {
+namespace recoil::parallel::chain_test {
 namespace {
 
 /// Items in a line, each beside the ones before and behind it.
@@ -154,4 +154,4 @@ TEST(Chain, UrgentItemsComeFirst) {
 }
 
 }  // namespace
-}  // namespace recoil::parallel
+}  // namespace recoil::parallel::chain_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace recoil {
+namespace recoil::exact_sums_test {
 namespace {
 
 TEST(ExactSums, DoNotDependOnTheOrderOfAdding) {
@@ -64,4 +64,4 @@ TEST(ExactSums, ForgetWhenCleared) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::exact_sums_test

@@ -12,7 +12,7 @@
 
 #include "core/error.hpp"
 
-namespace recoil::parallel {
+namespace recoil::parallel::team_test {
 namespace {
 
 struct Teams : testing::TestWithParam<int> {};
@@ -95,4 +95,4 @@ TEST_P(Teams, EveryBlockStartsWithAnEmptyScratch) {
 TEST(Team, HasAThread) { EXPECT_THROW(Team(0), InternalError); }
 
 }  // namespace
-}  // namespace recoil::parallel
+}  // namespace recoil::parallel::team_test

@@ -15,7 +15,7 @@
 #include "parallel/traffic.hpp"
 #include "session.hpp"
 
-namespace recoil::parallel {
+namespace recoil::parallel::world_test {
 namespace {
 
 Bytes bytes_of(int value, std::size_t n) {
@@ -210,4 +210,4 @@ TEST_F(MpiWorld, CountsWhatIsSent) {
 }
 
 }  // namespace
-}  // namespace recoil::parallel
+}  // namespace recoil::parallel::world_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace recoil {
+namespace recoil::axis_test {
 namespace {
 
 using Labels = std::vector<std::string>;
@@ -104,4 +104,4 @@ RC_GTEST_PROP(AxisOfAnyStretch, LogarithmicMarksRiseWithinIt, ()) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::axis_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace recoil {
+namespace recoil::canvas_test {
 namespace {
 
 constexpr Rgb kWhite{255, 255, 255}, kBlack{0, 0, 0};
@@ -101,4 +101,4 @@ TEST(Canvas, PolygonIsFilled) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::canvas_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace recoil {
+namespace recoil::colour_map_test {
 namespace {
 
 /// Lightness L* of CIE 1976 from sRGB, 0 to 100: another formula than the one the maps are made with.
@@ -69,4 +69,4 @@ TEST(ColourMap, CurvesDifferFromEachOtherAndFromTheirAreas) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::colour_map_test

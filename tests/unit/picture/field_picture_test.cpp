@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "picture/frame.hpp"
 
-namespace recoil {
+namespace recoil::field_picture_test {
 namespace {
 
 bool near(Rgb a, Rgb b) {
@@ -188,4 +188,4 @@ TEST(FieldPicture, EmptyFieldsAndWrongSizes) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::field_picture_test

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 
-namespace recoil {
+namespace recoil::line_chart_test {
 namespace {
 
 constexpr Rgb kMagenta{255, 0, 255};
@@ -128,4 +128,4 @@ TEST(LineChart, OddDataStillMakeAPicture) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::line_chart_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace recoil {
+namespace recoil::outline_test {
 namespace {
 
 /// Cell-centred values of a function of the place.
@@ -83,4 +83,4 @@ TEST(Outline, ValuesThatAreExactlyZeroBreakNothing) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::outline_test

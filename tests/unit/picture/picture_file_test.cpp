@@ -11,7 +11,7 @@
 #include "picture/field_picture.hpp"
 #include "picture/line_chart.hpp"
 
-namespace recoil {
+namespace recoil::picture_file_test {
 namespace {
 
 Canvas chart() {
@@ -79,4 +79,4 @@ TEST(PictureFile, SizesAreChecked) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::picture_file_test

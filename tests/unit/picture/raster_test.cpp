@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace recoil {
+namespace recoil::raster_test {
 namespace {
 
 const double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -81,4 +81,4 @@ TEST(Raster, OneRowOfLines) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::raster_test

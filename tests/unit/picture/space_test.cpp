@@ -12,7 +12,7 @@
 #include "picture/space/space_picture.hpp"
 #include "picture/space/view.hpp"
 
-namespace recoil {
+namespace recoil::space_test {
 namespace {
 
 /// A ball of radius 1 about the origin, known in x > 0 only; the field is x + 2 y.
@@ -161,4 +161,4 @@ TEST(CellLookup, RefusesFieldsOfThePlane) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::space_test

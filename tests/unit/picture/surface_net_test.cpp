@@ -17,7 +17,7 @@
 #include "core/turn.hpp"
 #include "core/vec.hpp"
 
-namespace recoil {
+namespace recoil::surface_net_test {
 namespace {
 
 /// A ball of radius 1 about the origin in a box.
@@ -107,4 +107,4 @@ TEST(SurfaceNet, StlIsReadBack) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::surface_net_test

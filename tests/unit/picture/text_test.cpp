@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace recoil {
+namespace recoil::text_test {
 namespace {
 
 constexpr Rgb kWhite{255, 255, 255};
@@ -107,4 +107,4 @@ TEST(Text, ShortenedToItsRoom) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::text_test

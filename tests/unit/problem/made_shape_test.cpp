@@ -13,7 +13,7 @@
 #include "problem/shape.hpp"
 
 /// Shapes that are made of others, of a polygon or of triangles.
-namespace recoil {
+namespace recoil::made_shape_test {
 namespace {
 
 using namespace measured;
@@ -170,4 +170,4 @@ TEST(MadeShapes, BoundsHoldThem) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::made_shape_test

@@ -14,7 +14,7 @@
 #include "measured_shapes.hpp"
 #include "problem/shape.hpp"
 
-namespace recoil {
+namespace recoil::round_shape_test {
 namespace {
 
 using namespace measured;
@@ -155,4 +155,4 @@ TEST(RoundShapes, CloseToTheSurfaceTheGradientIsOne) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::round_shape_test

@@ -10,7 +10,7 @@
 #include "core/index.hpp"
 #include "measured_shapes.hpp"
 
-namespace recoil {
+namespace recoil::shape_test {
 namespace {
 
 using namespace measured;
@@ -142,4 +142,4 @@ TEST(InsidePart, AlignedFacesAreExact) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::shape_test

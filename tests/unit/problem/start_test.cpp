@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "problem/overlaps.hpp"
 
-namespace recoil {
+namespace recoil::start_test {
 namespace {
 
 using config::Boundary;
@@ -232,4 +232,4 @@ TEST(MakeGrid, ADomainHoldsWholeCellsOfAllLevels) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::start_test

@@ -17,7 +17,7 @@
 #include "format/hdf5_handle.hpp"
 #include "timestep/step.hpp"
 
-namespace recoil {
+namespace recoil::checkpoint_test {
 namespace {
 
 const char* text = R"(
@@ -190,4 +190,4 @@ TEST(Checkpoint, OfAnotherMeshIsRefused) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::checkpoint_test

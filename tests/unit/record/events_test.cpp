@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace recoil {
+namespace recoil::events_test {
 namespace {
 
 constexpr double dt = 1e-9;
@@ -265,4 +265,4 @@ TEST(Events, NewsComeOnceAndLiftOffTwice) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::events_test

@@ -15,7 +15,7 @@
 #include "picture/field_plane.hpp"
 #include "record/rigid_places.hpp"
 
-namespace recoil {
+namespace recoil::field_dump_test {
 namespace {
 
 const char* disc = R"(
@@ -171,4 +171,4 @@ TEST(FieldDump, KnowsItsVariables) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::field_dump_test

@@ -8,7 +8,7 @@
 #include "../support/small_case.hpp"
 #include "record/events.hpp"
 
-namespace recoil {
+namespace recoil::lift_off_test {
 namespace {
 
 const char* stacked = R"(
@@ -96,4 +96,4 @@ TEST(LiftOff, ASurfaceThatHasGoneAwayIsNone) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::lift_off_test

@@ -9,7 +9,7 @@
 #include "../support/scratch_folder.hpp"
 #include "core/error.hpp"
 
-namespace recoil {
+namespace recoil::quantities_test {
 namespace {
 
 Quantities sample() {
@@ -128,4 +128,4 @@ TEST(Quantities, NameTheirReferenceCurve) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::quantities_test

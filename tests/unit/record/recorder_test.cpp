@@ -17,7 +17,7 @@
 #include "format/csv.hpp"
 #include "timestep/step.hpp"
 
-namespace recoil {
+namespace recoil::recorder_test {
 namespace {
 
 /// Two equal elastic plates of 2 mm: c_L is 5 km/s, so they part after 0.8 us with their velocities
@@ -225,4 +225,4 @@ TEST(Recorder, CaseNames) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::recorder_test

@@ -10,7 +10,7 @@
 #include "../cutcell/bodies.hpp"
 #include "material/starting_state.hpp"
 
-namespace recoil {
+namespace recoil::state_survey_test {
 namespace {
 
 constexpr auto heat_component = static_cast<std::size_t>(Components<2>::temperature_rise);
@@ -180,4 +180,4 @@ TEST(StateSurvey, NoiseOfTheTemperatureGoesWithTheImpact) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::state_survey_test

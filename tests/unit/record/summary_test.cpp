@@ -9,7 +9,7 @@
 
 #include "../support/scratch_folder.hpp"
 
-namespace recoil {
+namespace recoil::summary_test {
 namespace {
 
 nlohmann::json read_json(const std::filesystem::path& path) {
@@ -80,4 +80,4 @@ TEST(Summary, Status) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::summary_test

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-namespace recoil {
+namespace recoil::validity_test {
 namespace {
 
 Evidence flyer_and_target() {
@@ -204,4 +204,4 @@ TEST(Validity, WhatHelpsIsSaidOnce) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::validity_test

@@ -4,7 +4,7 @@
 
 #include "../interface/prepared.hpp"
 
-namespace recoil {
+namespace recoil::beside_contact_test {
 namespace {
 
 /// Half a plane of a material, one cell of whose surface has touched another body.
@@ -57,4 +57,4 @@ TEST(BesideContact, MarksNothingInMatterThatYields) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::beside_contact_test

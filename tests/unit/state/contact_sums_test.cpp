@@ -6,7 +6,7 @@
 
 #include "../cutcell/bodies.hpp"
 
-namespace recoil {
+namespace recoil::contact_sums_test {
 namespace {
 
 /// Three bodies, the last one rigid, and no contact yet.
@@ -95,4 +95,4 @@ TEST(ContactSums, OneSidedContactsCountOnce) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::contact_sums_test

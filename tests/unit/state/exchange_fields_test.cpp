@@ -14,7 +14,7 @@
 #include "../mesh/grids.hpp"
 #include "parallel/post.hpp"
 
-namespace recoil {
+namespace recoil::exchange_fields_test {
 namespace {
 
 constexpr int least_cells = 40, block = 10, cut_every = 3;
@@ -324,4 +324,4 @@ TYPED_TEST(MpiExchange, CellsThatHaveBecomeEmptyAreEmptyInCopies) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::exchange_fields_test

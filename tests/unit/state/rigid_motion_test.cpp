@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace recoil {
+namespace recoil::rigid_motion_test {
 namespace {
 
 /// A body whose distance is that from the plane x = 1: tells how far and which way it has turned.
@@ -76,4 +76,4 @@ TEST(RigidMotion, ATopKeepsItsAngularMomentum) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::rigid_motion_test

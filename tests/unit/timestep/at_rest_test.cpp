@@ -6,7 +6,7 @@
 
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::at_rest_test {
 namespace {
 
 constexpr double mm = 1e-3;
@@ -113,4 +113,4 @@ TEST(ShortWavesAlongSurfaces, OfACubeDieOut) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::at_rest_test

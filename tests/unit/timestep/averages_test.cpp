@@ -7,7 +7,7 @@
 #include "dynamics/inadmissible.hpp"
 #include "timestep/conservative_phases.hpp"
 
-namespace recoil {
+namespace recoil::averages_test {
 namespace {
 
 /// In a thread that tears many neighbours may be beyond the equation of state at once: those in their middle
@@ -43,4 +43,4 @@ TEST(Averages, SevenInadmissibleStatesSideBySide) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::averages_test

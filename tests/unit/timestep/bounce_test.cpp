@@ -4,7 +4,7 @@
 
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::bounce_test {
 namespace {
 
 using config::Geometry;
@@ -43,4 +43,4 @@ TEST(Bounce, DiscsOfTwelveCellsKeepMostOfTheirSpeed) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::bounce_test

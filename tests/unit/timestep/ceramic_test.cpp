@@ -8,7 +8,7 @@
 #include "material/hugoniot.hpp"
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::ceramic_test {
 namespace {
 
 using config::Geometry;
@@ -56,4 +56,4 @@ TEST(JohnsonHolmquist, PlateImpactHasItsHugoniotElasticLimit) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::ceramic_test

@@ -5,7 +5,7 @@
 
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::closing_test {
 namespace {
 
 using config::Geometry;
@@ -47,4 +47,4 @@ TEST(Closing, MatterHasRoomWhereContactClosesAtAnAngle) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::closing_test

@@ -11,7 +11,7 @@
 #include "state/detonation_front.hpp"
 
 /// What bodies are driven by: detonations, and rigid bodies with a velocity over time.
-namespace recoil {
+namespace recoil::drive_test {
 namespace {
 
 using config::Boundary;
@@ -143,4 +143,4 @@ TEST(Detonation, ProductsLeaveThroughOpenEdges) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::drive_test

@@ -12,7 +12,7 @@
 #include "run.hpp"
 #include "spall_plates.hpp"
 
-namespace recoil {
+namespace recoil::fracture_test {
 namespace {
 
 using config::Boundary;
@@ -266,4 +266,4 @@ TEST(Fracture, AVoidThatHasClosedKeepsNoEnergy) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::fracture_test

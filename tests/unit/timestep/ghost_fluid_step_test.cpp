@@ -14,7 +14,7 @@
 #include "timestep/schemes.hpp"
 
 /// Both schemes with ghost fluids: `ghost-fluid` and `seed`.
-namespace recoil {
+namespace recoil::ghost_fluid_step_test {
 namespace {
 
 using config::Geometry;
@@ -241,4 +241,4 @@ TEST(SchemeOf, KnowsAllSchemes) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::ghost_fluid_step_test

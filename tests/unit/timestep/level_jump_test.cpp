@@ -10,7 +10,7 @@
 #include "timestep/regrid.hpp"
 
 /// Waves where cells become twice as wide, or half as wide.
-namespace recoil {
+namespace recoil::level_jump_test {
 namespace {
 
 using config::Boundary;
@@ -120,4 +120,4 @@ TEST(LevelJump, KeepsTheOrderOfASmoothWave) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::level_jump_test

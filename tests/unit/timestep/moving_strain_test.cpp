@@ -7,7 +7,7 @@
 
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::moving_strain_test {
 namespace {
 
 using config::Geometry;
@@ -95,4 +95,4 @@ TEST(MovingStrain, KeepsItsProfileAtAnyAngle) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::moving_strain_test

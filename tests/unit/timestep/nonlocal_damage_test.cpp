@@ -12,7 +12,7 @@
 #include "run.hpp"
 #include "spall_plates.hpp"
 
-namespace recoil {
+namespace recoil::nonlocal_damage_test {
 namespace {
 
 constexpr double mm = 1e-3, dx = 0.1 * mm;
@@ -183,4 +183,4 @@ TEST(NonlocalDamage, ReachesAsFarAsItsLength) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::nonlocal_damage_test

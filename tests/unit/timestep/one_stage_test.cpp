@@ -9,7 +9,7 @@
 
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::one_stage_test {
 namespace {
 
 using config::Boundary;
@@ -262,4 +262,4 @@ TEST(OneStage, ThreadsAndBlocksGiveTheSameBits) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::one_stage_test

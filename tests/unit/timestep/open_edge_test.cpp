@@ -10,7 +10,7 @@
 #include "run.hpp"
 
 /// Bodies that leave the domain through open edges: nothing should happen to them.
-namespace recoil {
+namespace recoil::open_edge_test {
 namespace {
 
 using config::Geometry;
@@ -96,4 +96,4 @@ TEST(OpenEdges, ABodyLeavesThroughACorner) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::open_edge_test

@@ -7,7 +7,7 @@
 
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::opening_test {
 namespace {
 
 using config::Geometry;
@@ -94,4 +94,4 @@ TEST(Opening, OfPlatesInSmoothWavesIsOfSecondOrder) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::opening_test

@@ -7,7 +7,7 @@
 
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::order_of_bodies_test {
 namespace {
 
 using config::Geometry;
@@ -100,4 +100,4 @@ TEST(OrderOfBodies, DoesNotMatterInSpace) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::order_of_bodies_test

@@ -8,7 +8,7 @@
 
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::part_fragments_test {
 namespace {
 
 using config::Geometry;
@@ -180,4 +180,4 @@ TEST(PartFragments, OneMoveAtATime) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::part_fragments_test

@@ -11,7 +11,7 @@
 #include "run.hpp"
 
 /// Porous matter in runs: pressed copper powder, 6.4 g/cm3.
-namespace recoil {
+namespace recoil::timestep_porous_test {
 namespace {
 
 using config::Geometry;
@@ -210,4 +210,4 @@ TEST(Porous, BallOnPlateKeepsItsBounds) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::timestep_porous_test

@@ -14,7 +14,7 @@
 #include "run.hpp"
 #include "timestep/phases.hpp"
 
-namespace recoil {
+namespace recoil::regrid_test {
 namespace {
 
 using config::Boundary;
@@ -305,4 +305,4 @@ TYPED_TEST(Regrid, FinestCellsReachElevenAroundASurface) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::regrid_test

@@ -8,7 +8,7 @@
 
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::shear_modulus_test {
 namespace {
 
 using config::Boundary;
@@ -145,4 +145,4 @@ TEST(ShearModulus, BlocksAndThreadsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::shear_modulus_test

@@ -12,7 +12,7 @@
 #include "core/error.hpp"
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::starting_state_test {
 namespace {
 
 using config::Boundary;
@@ -120,4 +120,4 @@ TEST(StartingState, APreheatedBarIsSofter) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::starting_state_test

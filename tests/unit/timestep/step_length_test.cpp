@@ -7,7 +7,7 @@
 #include "dynamics/primitives.hpp"
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::step_length_test {
 namespace {
 
 constexpr double mm = 1e-3;
@@ -105,4 +105,4 @@ TEST(StepLength, SoundCountsOnceAlongADiagonal) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::step_length_test

@@ -11,7 +11,7 @@
 #include "../parallel/session.hpp"
 #include "core/error.hpp"
 
-namespace recoil {
+namespace recoil::step_run_test {
 namespace {
 
 template <class D>
@@ -192,4 +192,4 @@ TEST(Fields, TakeTheMemoryThatIsEstimated) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::step_run_test

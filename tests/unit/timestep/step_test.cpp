@@ -13,7 +13,7 @@
 #include "core/error.hpp"
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::step_test {
 namespace {
 
 using config::Boundary;
@@ -290,4 +290,4 @@ TEST(StepParts, HaveNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::step_test

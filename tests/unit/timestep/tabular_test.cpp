@@ -7,7 +7,7 @@
 
 #include "run.hpp"
 
-namespace recoil {
+namespace recoil::tabular_test {
 namespace {
 
 using config::Boundary;
@@ -64,4 +64,4 @@ TEST(Tabular, PlatesMoveAsThoseOfWhatIsTabulated) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::tabular_test

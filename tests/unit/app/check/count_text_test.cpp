@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace recoil::app {
+namespace recoil::app::count_text_test {
 namespace {
 
 TEST(CountText, IsReadable) {
@@ -21,4 +21,4 @@ TEST(CountText, ACureIsEnough) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::count_text_test

@@ -7,7 +7,7 @@
 
 #include "app/load_case.hpp"
 
-namespace recoil::app {
+namespace recoil::app::estimate_test {
 namespace {
 
 const std::string cases = std::string(RECOIL_SOURCE_DIR) + "/cases/";
@@ -27,4 +27,4 @@ TEST(Estimate, MemoryInSpaceIsThatOfARun) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::estimate_test

@@ -8,7 +8,7 @@
 
 #include "app/load_case.hpp"
 
-namespace recoil::app {
+namespace recoil::app::prediction_test {
 namespace {
 
 const std::string cases = std::string(RECOIL_SOURCE_DIR) + "/cases/";
@@ -172,4 +172,4 @@ TEST(Prediction, TouchesOfRoundBodiesAreExact) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::prediction_test

@@ -6,7 +6,7 @@
 #include "app/load_case.hpp"
 #include "material/damage/damage.hpp"
 
-namespace recoil::app {
+namespace recoil::app::tension_test {
 namespace {
 
 const std::string cases = RECOIL_SOURCE_DIR "/cases/";
@@ -39,4 +39,4 @@ TEST(CheckTension, ATargetThatBearsItOrCanBreakIsNot) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::tension_test

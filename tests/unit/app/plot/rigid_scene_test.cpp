@@ -11,7 +11,7 @@
 #include "app/check/case_marks.hpp"
 #include "picture/space/space_picture.hpp"
 
-namespace recoil::app {
+namespace recoil::app::rigid_scene_test {
 namespace {
 
 const char* three = R"(
@@ -120,4 +120,4 @@ TEST(CaseMarks, GaugesWithAPlaceAndBodiesThatMove) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::rigid_scene_test

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace recoil::app {
+namespace recoil::app::round_off_test {
 namespace {
 
 const RoundOff copper{
@@ -43,4 +43,4 @@ TEST(RoundOff, TheScaleIsNotNarrower) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::round_off_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace recoil::app {
+namespace recoil::app::checkpoint_folder_test {
 namespace {
 
 CheckpointText text_with(const std::string& version, const std::string& finest) {
@@ -33,4 +33,4 @@ TEST(Refusal, OfAnotherVersionSaysSo) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::checkpoint_folder_test

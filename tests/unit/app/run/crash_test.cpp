@@ -11,7 +11,7 @@
 #include "format/json_files.hpp"
 #include "record/field_dump.hpp"
 
-namespace recoil::app {
+namespace recoil::app::crash_test {
 namespace {
 
 const char* two_blocks = R"(
@@ -61,4 +61,4 @@ TEST(Crash, IsToldWhereTheFieldsCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::crash_test

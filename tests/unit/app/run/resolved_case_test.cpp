@@ -9,7 +9,7 @@
 
 #include "../../support/scratch_folder.hpp"
 
-namespace recoil::app {
+namespace recoil::app::resolved_case_test {
 namespace {
 
 /// Without the remarks on where values come from.
@@ -119,4 +119,4 @@ TEST(ResolvedCase, SaysWhereValuesComeFrom) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::resolved_case_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace recoil::app {
+namespace recoil::app::study_table_test {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -97,4 +97,4 @@ TEST(StudyTable, ACaseWithoutNumbersHasAnEmptyTable) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::study_table_test

@@ -10,7 +10,7 @@
 #include "../../support/scratch_folder.hpp"
 #include "record/summary.hpp"
 
-namespace recoil::app {
+namespace recoil::app::verify_table_test {
 namespace {
 
 config::Expectation time_of(double value, double tolerance) {
@@ -84,4 +84,4 @@ TEST(VerifyTable, SaysTheSameInAllForms) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::verify_table_test

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace recoil::app {
+namespace recoil::app::condition_test {
 namespace {
 
 RunQuantities made_up() {
@@ -63,4 +63,4 @@ TEST(Condition, MistakesHaveACure) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::condition_test

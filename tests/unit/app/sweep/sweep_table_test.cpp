@@ -11,7 +11,7 @@
 #include "../../support/scratch_folder.hpp"
 #include "format/csv.hpp"
 
-namespace recoil::app {
+namespace recoil::app::sweep_table_test {
 namespace {
 
 SweepTable made_up() {
@@ -87,4 +87,4 @@ TEST(SweepTable, ThresholdsOverTheOtherKeys) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::sweep_table_test

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace recoil::app {
+namespace recoil::app::swept_keys_test {
 namespace {
 
 SweptKey one(const std::string& text) {
@@ -90,4 +90,4 @@ TEST(SweptKeys, NamesOfFoldersArePlainAndShort) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::swept_keys_test

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace recoil::app {
+namespace recoil::app::threshold_test {
 namespace {
 
 /// Answers until nothing more is wanted.
@@ -72,4 +72,4 @@ TEST(Threshold, EndsWhereNumbersEnd) {
 }
 
 }  // namespace
-}  // namespace recoil::app
+}  // namespace recoil::app::threshold_test

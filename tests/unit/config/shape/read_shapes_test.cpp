@@ -14,7 +14,7 @@
 #include "config/document.hpp"
 #include "config/shape/shape.hpp"
 
-namespace recoil::config {
+namespace recoil::config::read_shapes_test {
 namespace {
 
 struct Read {
@@ -247,4 +247,4 @@ TEST(ReadShapes, MistakesGetACure) {
 }
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::read_shapes_test

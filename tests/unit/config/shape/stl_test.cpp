@@ -12,7 +12,7 @@
 #include "config/shape/stl/stl_file.hpp"
 #include "core/vec.hpp"
 
-namespace recoil::config {
+namespace recoil::config::stl_test {
 namespace {
 
 const std::vector<Corner> an_l{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};
@@ -161,4 +161,4 @@ TEST(StlFile, MistakesAreNamed) {
 }
 
 }  // namespace
-}  // namespace recoil::config
+}  // namespace recoil::config::stl_test

@@ -16,7 +16,7 @@
 #include "material/hugoniot.hpp"
 #include "material/library.hpp"
 
-namespace recoil {
+namespace recoil::eos_table_test {
 namespace {
 
 Material copper_by_energy() {
@@ -227,4 +227,4 @@ TEST(Tabular, IsReadFromAFileBesideTheCase) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::eos_table_test

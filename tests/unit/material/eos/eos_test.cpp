@@ -9,7 +9,7 @@
 #include "../samples.hpp"
 #include "material/eos/quick_exp.hpp"
 
-namespace recoil {
+namespace recoil::eos_test {
 namespace {
 
 /// Densities over the admissible range, rest density between them.
@@ -342,4 +342,4 @@ TEST(Eos, QuickExponentialHasAllDigits) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::eos_test

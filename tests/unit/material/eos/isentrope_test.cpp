@@ -6,7 +6,7 @@
 
 #include "../samples.hpp"
 
-namespace recoil {
+namespace recoil::isentrope_test {
 namespace {
 
 IdealGas air() { return {.rho0 = 1.2, .gamma = 1.4, .p0 = 1e5}; }
@@ -106,4 +106,4 @@ TEST(Isentrope, ProductsExpandIntoNothing) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::isentrope_test

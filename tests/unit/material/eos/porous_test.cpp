@@ -16,7 +16,7 @@
 #include "material/lint.hpp"
 #include "material/starting_state.hpp"
 
-namespace recoil {
+namespace recoil::eos_porous_test {
 namespace {
 
 /// Pressed copper powder (materials/copper/pressed-powder.toml), without strength.
@@ -255,4 +255,4 @@ TEST(Porous, StartsUnderPressure) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::eos_porous_test

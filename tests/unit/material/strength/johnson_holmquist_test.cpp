@@ -14,7 +14,7 @@
 #include "material/hugoniot.hpp"
 #include "material/library.hpp"
 
-namespace recoil {
+namespace recoil::johnson_holmquist_test {
 namespace {
 
 using samples::alumina;
@@ -161,4 +161,4 @@ TEST(JohnsonHolmquist, SingleElementCompressedAndReleased) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::johnson_holmquist_test

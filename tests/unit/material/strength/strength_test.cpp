@@ -10,7 +10,7 @@
 
 #include "../samples.hpp"
 
-namespace recoil {
+namespace recoil::strength_test {
 namespace {
 
 TEST(Strength, YieldNeverFallsWithStrainOrRateNorRisesWithTemperature) {
@@ -166,4 +166,4 @@ TEST(Parameters, NameMembersOnceWithinTheirRange) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::strength_test

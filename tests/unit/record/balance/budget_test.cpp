@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace recoil {
+namespace recoil::budget_test {
 namespace {
 
 /// Two deformable bodies and a rigid wall. Pairs: 0-1, 0-2, 1-2.
@@ -102,4 +102,4 @@ TEST(Budget, ABodyAtRestIsMeasuredWithAPartOfWhatMovesAndWithALeastSpeed) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::budget_test

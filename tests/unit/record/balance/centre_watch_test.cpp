@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace recoil {
+namespace recoil::centre_watch_test {
 namespace {
 
 /// A body of 2 kg that moves at 10 m/s along x from x = 1 m, and a wall.
@@ -119,4 +119,4 @@ TEST(CentreWatch, PeriodicAxesAndRadiiDoNotCount) {
 }
 
 }  // namespace
-}  // namespace recoil
+}  // namespace recoil::centre_watch_test
