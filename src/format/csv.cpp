@@ -136,6 +136,10 @@ CsvTable parse(const std::filesystem::path& path, std::string_view text, bool dr
 
 std::string format_number(double value) { return fmt::format("{}", value); }
 
+std::string format_number(double value, int digits) {
+  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "-";
+}
+
 CsvWriter::CsvWriter(const std::filesystem::path& path, std::vector<std::string> columns,
                      const std::vector<std::string>& comments, CsvMode mode)
     : path_(path), columns_(std::move(columns)) {

@@ -77,4 +77,7 @@ void truncate_csv(const std::filesystem::path& path, double last);
 /// The shortest decimal that reads back to the same double; nan, inf and -inf as such.
 std::string format_number(double value);
 
+/// With so many digits, for tables that people read; "-" for nan and infinities.
+std::string format_number(double value, int digits);
+
 }  // namespace recoil

@@ -116,8 +116,6 @@ Peak peak_of(const Curve& curve) {
 }
 
 PullBack pull_back_of(const Curve& curve) {
-  constexpr double rebound = 0.1;      // of the fall
-  constexpr double least_fall = 0.01;  // of the peak: less is noise on a plateau
   if (curve.y.empty()) return {};
   const auto peak =
       static_cast<std::size_t>(std::max_element(curve.y.begin(), curve.y.end()) - curve.y.begin());
@@ -125,7 +123,8 @@ PullBack pull_back_of(const Curve& curve) {
   for (std::size_t i = peak; i < curve.y.size(); ++i) {
     if (curve.y[i] < curve.y[lowest]) lowest = i;
     const double fall = curve.y[peak] - curve.y[lowest];
-    if (fall > least_fall * std::abs(curve.y[peak]) && curve.y[i] - curve.y[lowest] > rebound * fall)
+    if (fall > least_pullback * std::abs(curve.y[peak]) &&
+        curve.y[i] - curve.y[lowest] > pullback_rebound * fall)
       return {fall, curve.t[peak], curve.t[lowest]};
   }
   return {};

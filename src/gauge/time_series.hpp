@@ -52,9 +52,11 @@ struct Peak {
 };
 Peak peak_of(const Curve& curve);
 
+inline constexpr double pullback_rebound = 0.1;  // of the fall, by which the velocity rises again
+inline constexpr double least_pullback = 0.01;   // fall, as a part of the peak: less is noise on a plateau
+
 /// The pull-back of a free-surface velocity: from its largest value down to the lowest one that follows it
-/// before the record rises again by a tenth of that fall, which must be more than 1 % of the peak (less is
-/// noise on a plateau). NaN where it does not rise again.
+/// before the record rises again. NaN where it does not.
 struct PullBack {
   double fall = std::numeric_limits<double>::quiet_NaN(), peak_time = fall, time = fall;
 };

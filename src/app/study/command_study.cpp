@@ -13,6 +13,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/load_case.hpp"
+#include "app/plot/plot_file.hpp"
 #include "app/run/reporter.hpp"
 #include "app/run/run_quantities.hpp"
 #include "app/run/stop_request.hpp"
@@ -29,12 +30,6 @@ namespace recoil::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-double quantity(const std::string& text, const char* unit, const char* option) {
-  const config::Quantity q = config::parse_quantity(text, unit, option);
-  if (!q.ok()) throw InputError(fmt::format("{}\n   = help: {}", q.problem, q.help));
-  return q.value;
-}
 
 /// A quantity to tabulate, and what the case expects of it.
 struct Asked {
@@ -94,7 +89,7 @@ ChildResult run_on(const ChildRun& run) {
 void check_values(const std::vector<std::string>& texts, const char* unit, const char* option) {
   std::vector<double> values;
   for (const std::string& text : texts) {
-    const double value = quantity(text, unit, option);
+    const double value = quantity_option(text, unit, option);
     if (std::ranges::find(values, value) != values.end())
       throw InputError(fmt::format("{} names {} twice\n   = help: take one of them out", option, text));
     values.push_back(value);
@@ -149,8 +144,8 @@ int tabulate(const LoadedCase& loaded, std::vector<Asked> asked, const fs::path&
   std::vector<StudyMesh> drawn;  // with the first of the shifts
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     const Mesh& mesh = meshes[k];
-    StudyRun run{quantity(mesh.size, "m", "--mesh"),
-                 mesh.offset.empty() ? 0 : quantity(mesh.offset, "1", "--offset"),
+    StudyRun run{quantity_option(mesh.size, "m", "--mesh"),
+                 mesh.offset.empty() ? 0 : quantity_option(mesh.offset, "1", "--offset"),
                  {}};
     if (results[k].problem.empty()) {
       const RunQuantities found = read_quantities(folder / mesh.name(), loaded.folder);

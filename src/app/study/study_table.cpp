@@ -20,10 +20,6 @@ constexpr double round_off = 1e-10;  // of a reference or a limit: an error belo
 
 double in_unit(double si, const std::string& unit) { return unit.empty() ? si : config::in_unit(si, unit); }
 
-std::string number(double x, int digits) {
-  return std::isfinite(x) ? fmt::format("{:.{}g}", x, digits) : "-";
-}
-
 double mean_of(const std::vector<double>& v) {
   double sum = 0;
   for (const double x : v) sum += x;
@@ -74,18 +70,18 @@ StudyRow row_of(const StudyTable& table, std::size_t q) {
 }
 
 std::string cell(const StudyRow& row, std::size_t i) {
-  std::string text = number(in_unit(row.mean[i], row.unit), 5);
+  std::string text = format_number(in_unit(row.mean[i], row.unit), 5);
   if (row.spread[i] > 0)
-    text += " ± " + number(row.spread[i] / (row.unit.empty() ? 1 : config::unit_size(row.unit)), 2);
+    text += " ± " + format_number(row.spread[i] / (row.unit.empty() ? 1 : config::unit_size(row.unit)), 2);
   if (std::isfinite(row.reference) && row.reference != 0)
-    text += fmt::format(" ({} %)", number(100 * row.error[i] / std::abs(row.reference), 2));
+    text += fmt::format(" ({} %)", format_number(100 * row.error[i] / std::abs(row.reference), 2));
   return text;
 }
 
 std::string heading(const StudyRow& row, const char* first, const char* last) {
   std::string head = fmt::format("| quantity | {} |", first), rule = "|---|---|";
   for (const double size : row.sizes) {
-    head += fmt::format(" {} mm |", number(size * 1e3, 4));
+    head += fmt::format(" {} mm |", format_number(size * 1e3, 4));
     rule += "---|";
   }
   return fmt::format("{} {} |\n{}---|\n", head, last, rule);
@@ -131,11 +127,11 @@ std::string main_table(const std::vector<StudyRow>& rows) {
       heading(rows.front(), "reference", "order");
   for (const StudyRow& row : rows) {
     text += fmt::format("| {} [{}] | {} |", row.quantity, row.unit.empty() ? "1" : row.unit,
-                        number(in_unit(row.reference, row.unit), 5));
+                        format_number(in_unit(row.reference, row.unit), 5));
     for (std::size_t i = 0; i < row.sizes.size(); ++i) text += ' ' + cell(row, i) + " |";
     std::string orders;
     for (std::size_t i = 1; i < row.order.size(); ++i)
-      orders += (i > 1 ? ", " : "") + number(row.order[i], 2);
+      orders += (i > 1 ? ", " : "") + format_number(row.order[i], 2);
     text += ' ' + (orders.empty() ? "-" : orders) + " |\n";
   }
   return text;
@@ -153,9 +149,9 @@ std::string own_table(const std::vector<StudyRow>& rows) {
   for (const StudyRow& row : rows) {
     if (row.is_error) continue;
     text += fmt::format("| {} [{}] | {} |", row.quantity, row.unit.empty() ? "1" : row.unit,
-                        number(in_unit(row.extrapolated, row.unit), 5));
-    for (const double e : row.from_finest) text += ' ' + number(100 * e, 2) + " % |";
-    text += ' ' + number(row.own_order, 2) + " |\n";
+                        format_number(in_unit(row.extrapolated, row.unit), 5));
+    for (const double e : row.from_finest) text += ' ' + format_number(100 * e, 2) + " % |";
+    text += ' ' + format_number(row.own_order, 2) + " |\n";
   }
   return text;
 }

@@ -30,10 +30,6 @@ std::string head(const SweptKey& key) { return head(key.key, key.numbers.empty()
 /// Beside results, that may have the name of a key: of a velocity at the start and at the end.
 std::string head_among_results(const SweptKey& key) { return "set." + head(key); }
 
-std::string number(double x, int digits) {
-  return std::isfinite(x) ? fmt::format("{:.{}g}", x, digits) : "-";
-}
-
 /// A value of a key as the table has it: a number in the unit of the key, or the text without its quotes.
 std::string value_cell(const SweptKey& key, const std::string& text) {
   const bool quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
@@ -111,7 +107,7 @@ std::string sweep_markdown(const SweepTable& table, const std::vector<std::size_
     text += '|';
     for (const std::size_t k : keys) text += ' ' + value_cell(table.keys[k], row.values[k]) + " |";
     text += ' ' + row.verdict + " |";
-    for (const std::size_t c : shown) text += ' ' + number(row.numbers[c], 6) + " |";
+    for (const std::size_t c : shown) text += ' ' + format_number(row.numbers[c], 6) + " |";
     text += '\n';
   }
   return text;

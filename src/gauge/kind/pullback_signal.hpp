@@ -7,35 +7,35 @@
 #include <utility>
 #include <vector>
 
+#include "core/nothing.hpp"
+#include "gauge/time_series.hpp"
+
 namespace recoil {
 
 /// The velocity of a free surface, followed from step to step: peak, minimum behind it, and the two maxima
-/// that follow. After a rise by a tenth of the fall the minimum stands, as in pull_back_of()
+/// that follow. The minimum stands once the velocity has risen again, as in pull_back_of()
 /// (time_series.hpp); a velocity above the peak begins anew.
 class PullbackSignal {
  public:
-  static constexpr double rebound = 0.1;      // of the fall
-  static constexpr double least_fall = 0.01;  // of the peak
-  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
   void add(double time, double velocity) {
     if (!(velocity <= peak_)) return begin(time, velocity);
     if (rings_) return ring(time, velocity);
     keep(time, velocity);
     if (velocity < low_) low_ = velocity, low_time_ = time;
     const double fall = peak_ - low_;
-    if (fall > least_fall * std::abs(peak_) && velocity - low_ > rebound * fall) stand(time, velocity);
+    if (fall > least_pullback * std::abs(peak_) && velocity - low_ > pullback_rebound * fall)
+      stand(time, velocity);
   }
 
-  double peak() const { return std::isfinite(peak_) ? peak_ : unknown; }
+  double peak() const { return std::isfinite(peak_) ? peak_ : nothing; }
   double peak_time() const { return peak_time_; }
-  double low() const { return rings_ ? low_ : unknown; }
-  double low_time() const { return rings_ ? low_time_ : unknown; }
+  double low() const { return rings_ ? low_ : nothing; }
+  double low_time() const { return rings_ ? low_time_ : nothing; }
   double fall() const { return peak_ - low(); }
   /// Mean slope [m/s2] of the fall, between the last time at 0.1 and the first one at 0.9 of it.
-  double slope() const { return rings_ ? slope_ : unknown; }
+  double slope() const { return rings_ ? slope_ : nothing; }
   /// Between the two maxima behind the minimum [s].
-  double period() const { return maxima_ == 2 ? second_.first - first_.first : unknown; }
+  double period() const { return maxima_ == 2 ? second_.first - first_.first : nothing; }
 
   /// For parallel/archive.hpp.
   template <class Archive>
@@ -83,18 +83,18 @@ class PullbackSignal {
   void ring(double time, double velocity) {
     if (maxima_ == 2) return;
     if (rising_ ? velocity > turn_.second : velocity < turn_.second) turn_ = {time, velocity};
-    if (std::abs(velocity - turn_.second) <= rebound * (peak_ - low_)) return;
+    if (std::abs(velocity - turn_.second) <= pullback_rebound * (peak_ - low_)) return;
     if (rising_) (maxima_++ == 0 ? first_ : second_) = turn_;
     rising_ = !rising_;
     turn_ = {time, velocity};
   }
 
-  double peak_ = -std::numeric_limits<double>::infinity(), peak_time_ = unknown, low_ = unknown,
-         low_time_ = unknown, slope_ = unknown;
+  double peak_ = -std::numeric_limits<double>::infinity(), peak_time_ = nothing, low_ = nothing,
+         low_time_ = nothing, slope_ = nothing;
   bool rings_ = false, rising_ = false;
   int maxima_ = 0;
   std::uint64_t skipped_ = 0, stride_ = 1;
-  Point turn_{unknown, unknown}, first_ = turn_, second_ = turn_;
+  Point turn_{nothing, nothing}, first_ = turn_, second_ = turn_;
   std::vector<Point> fall_;  // from the peak on
 };
 
