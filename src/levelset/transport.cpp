@@ -186,17 +186,10 @@ using Bell = std::array<double, 2 * ring + 1>;
 
 /// exp(-(x + k)^2) for k = -2..2 along every axis: exp(-x^2) exp(-2 x k) exp(-k^2).
 template <int Dim>
-RECOIL_MULTIVERSION void bells_about(const Vec<Dim>& x, std::array<Bell, Dim>& bell) {
+void bells_about(const Vec<Dim>& x, std::array<Bell, Dim>& bell) {
   constexpr double e1 = 0.36787944117144233, e4 = 0.018315638888734179;
-  std::array<double, 8> power{};  // of e: two for each axis, in whole vectors
   for (std::size_t d = 0; d < Dim; ++d) {
-    power[d] = -x.c[d] * x.c[d];
-    power[d + 4] = -2 * x.c[d];
-  }
-#pragma GCC ivdep
-  for (double& p : power) p = quick_exp(p);
-  for (std::size_t d = 0; d < Dim; ++d) {
-    const double middle = power[d], up = power[d + 4], down = 1 / up;
+    const double middle = quick_exp(-x.c[d] * x.c[d]), up = quick_exp(-2 * x.c[d]), down = 1 / up;
     bell[d] = {middle * down * down * e4, middle * down * e1, middle, middle * up * e1,
                middle * up * up * e4};
   }

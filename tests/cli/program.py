@@ -9,6 +9,8 @@ import subprocess
 import tempfile
 import unittest
 
+os.environ.pop("RECOIL_MATERIALS", None)  # of the shell: the tests look at shipped materials and at their own
+
 PROGRAM = os.environ["RECOIL_PROGRAM"]
 DATA = pathlib.Path(os.environ["RECOIL_DATA"])
 FLYER = DATA / "cases" / "flyer_al_cu" / "case.toml"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../material/alumina.hpp"
 #include "../material/samples.hpp"
 
 namespace recoil::loading_test {
@@ -57,6 +58,29 @@ TEST(Loading, IsOfYieldingMatterAndOfAMelt) {
   EXPECT_NEAR(loading_of<2>(body, state_with(0, s)) * std::sqrt(2.0) * s, 1, 1e-12);
   with_yield(0);
   EXPECT_EQ(loading_of<2>(body, state_with(0, 0)), loading_of_melt);
+}
+
+/// A ceramic yields at a stress that falls as it is fractured.
+TEST(Loading, KnowsTheDamageOfACeramic) {
+  Body<2> body;
+  body.material = samples::alumina();
+  const double pressure = 2e9;
+  const auto yielding = [&](double damage) {
+    const YieldState state{.pressure = pressure, .damage = damage};
+    return yield(body.material.strength, state, 1, 0);
+  };
+  const auto loads = [&](double damage, double part) {
+    auto w = state_with(0, part * yielding(damage) / std::sqrt(3.0));
+    w[C::rho] = density(body.material);
+    w[C::p] = pressure;
+    w[C::damage] = damage;
+    return loading_of<2>(body, w) > 0;
+  };
+  ASSERT_LT(yielding(1), 0.9 * yielding(0));
+  for (const double damage : {0.0, 0.5, 1.0}) {
+    EXPECT_TRUE(loads(damage, 1.01)) << damage;
+    EXPECT_FALSE(loads(damage, 0.97)) << damage;
+  }
 }
 
 }  // namespace
