@@ -1,4 +1,4 @@
-# With RECOIL_UNITY the files of a folder are compiled as one, which reads their common headers once: half the time for a clean
+# With RECOIL_UNITY the files of a folder are compiled as one, which reads their common headers once: half the time in a clean
 # build, more after a change to a single file. Names in the anonymous namespaces of files that share a folder must differ; the
 # unit tests have a namespace for each file. Kernels are compiled file by file in every build.
 # recoil_compile_by_folder(TARGET ROOT DEPTH): groups are the folders below ROOT, DEPTH (1 or 2) deep.
