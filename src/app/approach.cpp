@@ -54,7 +54,7 @@ std::vector<Vec<Dim>> points_of(const Distance<Dim>& distance, const Part<Dim>& 
 }
 
 template <int Dim>
-struct FirstTouch {
+struct FirstHit {
   double way = std::numeric_limits<double>::infinity();  // m
   double cosine = 0;                                     // of the motion with the normal into the other body
   Vec<Dim> place, start;                                 // of the point when it touches, and before it moves
@@ -62,9 +62,9 @@ struct FirstTouch {
 
 /// Moves points along a unit vector until they touch the other surface; never farther than to it.
 template <int Dim>
-FirstTouch<Dim> first_hit(const std::vector<Vec<Dim>>& points, const Vec<Dim>& direction,
-                          const Distance<Dim>& other, double farthest, double tolerance) {
-  FirstTouch<Dim> hit;
+FirstHit<Dim> first_hit(const std::vector<Vec<Dim>>& points, const Vec<Dim>& direction,
+                        const Distance<Dim>& other, double farthest, double tolerance) {
+  FirstHit<Dim> hit;
   for (const Vec<Dim>& start : points) {
     double way = 0;
     Vec<Dim> x = start;
@@ -107,9 +107,9 @@ struct Surfaces {
 
   /// Where points of body a touch body b first. Around the one that does, ever closer ones are asked, until
   /// they are closer than a part of a cell of the mesh: on a coarse grid none is where round bodies touch.
-  FirstTouch<Dim> hit_by_points(std::size_t a, std::size_t b, const Vec<Dim>& direction) const {
+  FirstHit<Dim> hit_by_points(std::size_t a, std::size_t b, const Vec<Dim>& direction) const {
     constexpr double finer = 4, close = 16;
-    FirstTouch<Dim> best = first_hit(points[a], direction, distance[b], 2 * size, 2e-3 * h);
+    FirstHit<Dim> best = first_hit(points[a], direction, distance[b], 2 * size, 2e-3 * h);
     double spacing = h;
     while (std::isfinite(best.way) && spacing > c.mesh.finest / close) {
       Part<Dim> around;
@@ -118,16 +118,16 @@ struct Surfaces {
         around.hi[d] = std::min(all.hi[d], best.start[d] + 1.5 * spacing);
       }
       spacing /= finer;
-      const FirstTouch<Dim> closer = first_hit(points_of(distance[a], around, spacing), direction,
-                                               distance[b], best.way, 2e-3 * spacing);
+      const FirstHit<Dim> closer = first_hit(points_of(distance[a], around, spacing), direction, distance[b],
+                                             best.way, 2e-3 * spacing);
       if (closer.way < best.way) best = closer;
     }
     return best;
   }
 
   /// Both bodies' points, so that corners of either are seen.
-  FirstTouch<Dim> hit(std::size_t a, std::size_t b, const Vec<Dim>& direction) const {
-    const FirstTouch<Dim> there = hit_by_points(a, b, direction), back = hit_by_points(b, a, -direction);
+  FirstHit<Dim> hit(std::size_t a, std::size_t b, const Vec<Dim>& direction) const {
+    const FirstHit<Dim> there = hit_by_points(a, b, direction), back = hit_by_points(b, a, -direction);
     const bool together = std::abs(there.way - back.way) < 0.01 * h;
     return together ? (there.cosine > back.cosine ? there : back) : there.way < back.way ? there : back;
   }
@@ -143,7 +143,7 @@ struct Surfaces {
     Vec<Dim> direction;
     direction[0] = 1;
     if (speed > 0) direction = (1 / speed) * w;
-    const FirstTouch<Dim> ahead = hit(a, b, direction);
+    const FirstHit<Dim> ahead = hit(a, b, direction);
     const bool touches = ahead.way < 0.01 * h;
     if (speed > 0 && std::isfinite(ahead.way) && ahead.cosine > 1e-6) {
       p.meeting = Meeting::close;
