@@ -30,13 +30,12 @@ int lost_around(const MovesView<Dim>& p, const Index<Dim>& i) {
 
 /// Of matter that has no room where it is sent, what is too much stays: fragments whose level set has fallen
 /// behind their matter get it back (restore_level_set()), instead of being pressed into one cell.
-/// @param failed whether it is a fragment of failed matter. Then all that may send to a cell share its room,
-/// and where the geometry has lost that cell too, only a fuller one takes: else two would change places in
-/// each step.
+/// Where the geometry has lost that cell too, only a fuller one takes: else two would change places in each
+/// step. @param failed whether it is a fragment of failed matter: all that may send to a cell share its room.
 template <int Dim>
 void keep_without_room(const MovesView<Dim>& p, const Index<Dim>& from, bool failed, Transfer<Dim>& t) {
   const int to = p.window.at(t.to);
-  if (failed && p.kind[to] == CellKind::empty && !(p.volume[to] > p.volume[p.window.at(from)])) {
+  if (p.kind[to] == CellKind::empty && !(p.volume[to] > p.volume[p.window.at(from)])) {
     t = {};
     return;
   }
@@ -107,8 +106,7 @@ Index<Dim> next_place(const MovesView<Dim>& p, const Index<Dim>& i, const Conten
 template <int Dim>
 bool holds_lost(const MovesView<Dim>& p, const Index<Dim>& i, const Contents<Dim>& q) {
   const int k = p.window.at(i);
-  return p.kind[k] == CellKind::empty && p.volume[k] > 0 && q[0] > 0 &&
-         q[Components<Dim>::damage] >= failed_damage * q[0];
+  return p.kind[k] == CellKind::empty && p.volume[k] > 0 && q[0] > 0;
 }
 
 /// Room [m^Dim] in a cell once lost fragments of the body that go on in this step have left it.

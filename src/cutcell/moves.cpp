@@ -246,7 +246,7 @@ void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt
       const auto from = p.window.source_inside(i);
       const bool failed = has_failed(body.at(from.slot), static_cast<std::size_t>(from.cell));
       if (t.any && is_alone(state, body, from.slot, from.cell)) keep_without_room(p, i, failed, t);
-      if (failed) t = move_lost(p, i, t, state.time, dt, edges);
+      t = move_lost(p, i, t, state.time, dt, edges);
     }
     return t;
   });

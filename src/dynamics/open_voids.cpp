@@ -19,6 +19,7 @@ namespace {
 constexpr double whole = 0.98;         // part of a cell from which on it counts as whole
 constexpr double least_kept = 0.02;    // of a cell; a lost fragment that holds more keeps a level set ...
 constexpr double kept_from = 2;        // [dx] ... where the surface of its body is farther
+constexpr double most_in_pore = 0.5;   // of a cell, that a cell of a closed void holds
 constexpr double most_squeezed = 0.5;  // of its volume, to which gas is compressed at most in a step ...
 constexpr double densest_gas = 0.5;    // ... or to this part of the largest density that it takes
 
@@ -60,8 +61,33 @@ double solid_part(const Body<Dim>& body, const BodyBlock<Dim>& b, std::size_t k)
 /// within reach of a level set, else it could not go on (lost_fragment.hpp).
 template <int Dim>
 bool is_far_and_lost(const BodyBlock<Dim>& b, std::size_t k, double fill, double dx) {
-  return fill > least_kept && b.phi[k] > kept_from * dx && has_failed(b, k) &&
-         b.end_geometry.kind[k] == CellKind::empty;
+  return fill > least_kept && b.phi[k] > kept_from * dx && b.end_geometry.kind[k] == CellKind::empty;
+}
+
+/// Marks the cells of a block that the geometry shows full, as all around them, but that hold less than half
+/// of a cell of intact matter: what is left of a void that has closed to less than two cells. @returns null
+/// where there are none.
+template <int Dim>
+const std::uint8_t* find_pores(const State<Dim>& state, const Body<Dim>& body, int slot, Scratch& scratch) {
+  const BodyBlock<Dim>& b = body.at(slot);
+  std::uint8_t* pore = nullptr;
+  CellKind* kind = nullptr;
+  const Window<Dim> w(state.mesh, slot, 1, state.mesh.block(slot).cells);
+  for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
+    if (b.end_geometry.kind[k] != CellKind::full || !(b.contents[k] > 0) || has_failed(b, k)) return;
+    if (!(b.volume[k] < most_in_pore * state.grid().full_volume(i))) return;
+    if (!kind) {
+      pore = scratch.take_filled<std::uint8_t>(b.volume.size(), 0);
+      kind = scratch.take<CellKind>(static_cast<std::size_t>(w.size()));
+      w.gather([&](int s) { return body.present(s) ? body.at(s).end_geometry.kind.data() : nullptr; },
+               CellKind::empty, Beyond::extend, kind);
+    }
+    bool inside = true;
+    for (int d = 0; d < Dim; ++d)
+      for (const int side : {-1, 1}) inside = inside && kind[w.at(i) + side * w.stride(d)] == CellKind::full;
+    if (inside) pore[k] = 1;
+  });
+  return pore;
 }
 
 }  // namespace
@@ -128,19 +154,22 @@ std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slo
 }
 
 template <int Dim>
-void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot) {
+void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch) {
   BodyBlock<Dim>& b = body.at(slot);
   if (!b.near_surface) return;
+  const std::uint8_t* pore = find_pores(state, body, slot, scratch);
   const double dx = state.grid().dx, thinnest = thinnest_failed * density(body.material);
   for_each_place(state, slot, [&](const Index<Dim>& i, std::size_t k) {
     const CellKind kind = b.end_geometry.kind[k];
     if (kind == CellKind::empty && b.volume[k] == 0 && b.phi[k] < 0) b.phi[k] = 0.5 * dx;  // it has gone on
     // Deeper than phi is kept there is no way outwards by which a cell could be filled.
     const bool failed = has_failed(b, k), deep = b.phi[k] <= -far_cells * dx;
-    if (!(b.contents[k] > 0) || !(failed || deep)) return;
+    const bool trapped = pore && pore[k] != 0;
+    if (!(b.contents[k] > 0) || !(failed || deep || trapped)) return;
     const double others = volume_of_others(state, body, slot, k);
     const double room = state.grid().full_volume(i) - others, v = b.volume[k];
-    const bool lacks = kind == CellKind::full && v < room && (deep || b.contents[k] > thinnest * room);
+    const bool lacks =
+        kind == CellKind::full && v < room && (deep || trapped || b.contents[k] > thinnest * room);
     const bool exceeds = failed && (kind != CellKind::empty || others > 0) && v > room;
     if (lacks)
       b.volume[k] = room;
@@ -167,7 +196,7 @@ void fit_gas(const State<Dim>& state, Body<Dim>& body, int slot) {
   template bool mark_open<Dim>(const State<Dim>&, Body<Dim>&, int);                    \
   template std::int64_t open_voids<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&); \
   template std::int64_t restore_level_set<Dim>(const State<Dim>&, Body<Dim>&, int);    \
-  template void fit_voids<Dim>(const State<Dim>&, Body<Dim>&, int);                    \
+  template void fit_voids<Dim>(const State<Dim>&, Body<Dim>&, int, Scratch&);          \
   template void fit_gas<Dim>(const State<Dim>&, Body<Dim>&, int);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

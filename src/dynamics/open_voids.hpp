@@ -38,7 +38,7 @@ std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slo
 /// its neighbours have. Far within (phi <= -far_cells dx) a cell that lacks volume is filled up whatever its
 /// matter: fill_inside() has no way outwards there, and the tension that comes of it is judged as any other.
 template <int Dim>
-void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot);
+void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
 
 /// Gas gives way before other matter does: where bodies hold more than 1.1 of a cell together, the gas among
 /// them is compressed to the room that they leave, to half of its volume in a step at most. Its contents

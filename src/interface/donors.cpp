@@ -15,6 +15,7 @@
 #include "interface/candidates.hpp"
 #include "interface/coefficients.hpp"
 #include "state/level_set_view.hpp"
+#include "state/places.hpp"
 
 namespace recoil {
 
@@ -217,6 +218,12 @@ int collect(const Grid<Dim>& grid, const Window<Dim>& w, const Vec<Dim>& point, 
   return static_cast<int>(donors.parts.size() - before);
 }
 
+/// Whether a cell holds failed matter that is not compressed: with a void, so without stress.
+template <int Dim>
+bool is_dust(const Body<Dim>& body, const BodyBlock<Dim>& b, std::size_t k) {
+  return has_failed(b, k) && b.contents[k] <= density(body.material) * b.volume[k];
+}
+
 }  // namespace
 
 template <int Dim>
@@ -245,7 +252,8 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
     if (wall.donors > 0)
       find_coefficients(wall, b.donors, unit(cut.surface), elastic && rims.pressed_near(i));
     else
-      ++counters.cuts_without_donor;
+      ++(is_dust(body, b, static_cast<std::size_t>(cut.cell)) ? counters.cuts_of_dust
+                                                              : counters.cuts_without_donor);
   }
   for (const auto& cell : b.donors.cells)
     require(!state.mesh.is_stand_in(cell.slot), "cells of one size around a surface");

@@ -181,7 +181,8 @@ constexpr double followed_cells = 2;  // [dx] farther cells need not follow: eac
 constexpr double near_body = 1.5;     // [dx] nearer to the surface of another body contact may close soon
 // [dx] of growth of the mismatch in a step: that of corners which cross cells and of slow contact; taken up.
 constexpr double usual_growth = 0.005, most_growth = 0.05;
-constexpr int ring = 2;  // cells about a foot point whose mismatch counts
+constexpr int ring = 2;               // cells about a foot point whose mismatch counts
+constexpr double fragment_depth = 1;  // [dx] matter that can fail and is nowhere deeper follows faster
 using Bell = std::array<double, 2 * ring + 1>;
 
 /// exp(-(x + k)^2) for k = -2..2 along every axis: exp(-x^2) exp(-2 x k) exp(-k^2).
@@ -219,6 +220,15 @@ bool may_touch(const State<Dim>& state, const Body<Dim>& body, int slot, std::si
 double growth(double before, double h, double dx) {
   const double grown = std::min(h - before, h) - usual_growth * dx;
   return std::clamp(grown, 0.0, most_growth * dx);
+}
+
+/// Whether the body is nowhere deeper than fragment_depth around a cell.
+template <int Dim>
+bool is_fragment(const Box<Dim>& box, const double* phi, const Index<Dim>& near, double dx) {
+  bool deep = false;
+  for_each(around_cell(near, ring, box),
+           [&](const Index<Dim>& j) { deep = deep || phi[box.at(j)] <= -fragment_depth * dx; });
+  return !deep;
 }
 
 }  // namespace
@@ -300,6 +310,7 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, const Fol
   const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
   const CutsInView cuts = cuts_in_view(
       w, [&](int s) { return body.present(s) ? body.at(s).end_geometry.index.data() : nullptr; }, scratch);
+  const bool may_fail = can_fail(body.material.damage);
   double* mismatch = scratch.take<double>(static_cast<std::size_t>(cuts.count));
   double* failed = scratch.take<double>(static_cast<std::size_t>(cuts.count));
   for (int m = 0; m < cuts.count; ++m) {
@@ -334,7 +345,9 @@ void follow_volume(const State<Dim>& state, Body<Dim>& body, int slot, const Fol
     if (!(weights > 1e-3)) return;
     const auto k = static_cast<std::size_t>(w.cell(i));
     const double h = sum / weights;
-    double step = (following.rate + failing / weights * (following.rate_failed - following.rate)) * h;
+    double part = failing / weights;
+    if (may_fail && part < 1 && is_fragment(w.box(), phi, near, dx)) part = 1;
+    double step = (following.rate + part * (following.rate_failed - following.rate)) * h;
     if (following.growth_beside_bodies && may_touch(state, body, slot, k)) step += growth(before[k], h, dx);
     b.phi_next[k] -= step;
     b.lag[k] = h - step;

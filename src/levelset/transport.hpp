@@ -32,7 +32,8 @@ struct Following {
 /// phi follows V: phi_next = phi - rate h, h the mismatch (V - V_phi)/A_I of the cut cells (CutCell::mismatch
 /// of the end-of-step geometry) averaged along the surface with exp(-r^2/dx^2) over 5^Dim cells about the
 /// foot point. The rate is the mean, with the same weights, of those of failed matter and of other matter
-/// (decision 0064). Where the surface of another deformable body is within 1.5 dx and neither is a gas,
+/// (decision 0064); matter that can fail and is less than about two cells thick there counts as failed
+/// (decision 0075). Where the surface of another deformable body is within 1.5 dx and neither is a gas,
 /// growth of h since the last step (BodyBlock::lag) beyond 0.005 dx is taken up at once, as far as h > 0 and
 /// by 0.05 dx at most: else contact would close late, over cells that are full already (decision 0062).
 template <int Dim>

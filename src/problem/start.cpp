@@ -41,10 +41,28 @@ Edge edge_of(config::Boundary b) {
   }
 }
 
+/// Velocity at the start of a body at x away from its centre or the axis [m/s].
+template <int Dim>
+Vec<Dim> radial_velocity_at(const config::Body& body, const Vec<Dim>& x, bool axisymmetric) {
+  Vec<Dim> away = x - first_components<Dim>(body.radial_centre);
+  if (body.radial_from_axis) {
+    away = {};
+    away[0] = x[0];
+  }
+  const double distance = norm(away);
+  if (distance == 0) return {};
+  double speed = body.radial_velocity;
+  if (body.radial_falls_from > 0 && distance > body.radial_falls_from) {
+    const bool about_a_point = Dim == 3 || (axisymmetric && !body.radial_from_axis);
+    speed *= std::pow(body.radial_falls_from / distance, about_a_point ? 2 : 1);
+  }
+  return (speed / distance) * away;
+}
+
 /// Velocity at the start of a body at x [m/s]: of its motion, of its turning, and away from a point or the
 /// axis.
 template <int Dim>
-Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x) {
+Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x, bool axisymmetric) {
   Vec<Dim> u = first_components<Dim>(body.velocity);
   if constexpr (Dim > 1) {
     const Vec<Dim> r = x - first_components<Dim>(body.spin_centre);
@@ -56,14 +74,7 @@ Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x) {
       u[2] += body.spin[0] * r[1] - body.spin[1] * r[0];
     }
   }
-  if (body.radial_velocity != 0) {
-    Vec<Dim> away;
-    if (body.radial_from_axis)
-      away[0] = x[0];
-    else
-      away = x - first_components<Dim>(body.radial_centre);
-    if (norm(away) > 0) u += (body.radial_velocity / norm(away)) * away;
-  }
+  if (body.radial_velocity != 0) u += radial_velocity_at(body, x, axisymmetric);
   return u;
 }
 
@@ -86,7 +97,7 @@ void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells, const config::Body
     if (std::abs(v - full) < 1e-12 * full) v = full;
     if (v < 1e-12 * full) v = 0;
     b.volume[k] = v;
-    const Vec<Dim> u = velocity_at(from, x);
+    const Vec<Dim> u = velocity_at(from, x, grid.axisymmetric);
     b.contents[k] = v * rho;
     for (std::size_t d = 0; d < Dim; ++d) b.contents[(C::u + d) * n + k] = v * rho * u[static_cast<int>(d)];
     b.contents[C::energy * n + k] = v * rho * (0.5 * dot(u, u) + state.energy);

@@ -41,6 +41,7 @@ std::vector<std::pair<const char*, std::int64_t*>> Counters::list() {
           {"torn-states", &torn_states},
           {"flat-refinements", &flat_refinements},
           {"faces-of-dust", &faces_of_dust},
+          {"cuts-of-dust", &cuts_of_dust},
           {"faces-at-open-edges", &faces_at_open_edges},
           {"opened-cells", &opened_cells},
           {"restored-cells", &restored_cells},

@@ -87,9 +87,9 @@ struct Counters {
                clamped_ghost_densities = 0, averaged_states = 0, wide_neighbourhoods = 0,
                widest_neighbourhoods = 0, unmerged_fragments = 0, lone_fragments_moved = 0, capped_speeds = 0,
                volume_bounds = 0, volume_bounds_left = 0, floored_sound_speeds = 0, contacts_lost = 0,
-               opened_cells = 0, restored_cells = 0, torn_states = 0, faces_of_dust = 0, cleared_strains = 0,
-               clamped_damage = 0, clamped_distensions = 0, flat_refinements = 0, faces_at_open_edges = 0,
-               pushed_contacts = 0, fragments_without_body = 0;
+               opened_cells = 0, restored_cells = 0, torn_states = 0, faces_of_dust = 0, cuts_of_dust = 0,
+               cleared_strains = 0, clamped_damage = 0, clamped_distensions = 0, flat_refinements = 0,
+               faces_at_open_edges = 0, pushed_contacts = 0, fragments_without_body = 0;
 
   Counters& operator+=(const Counters& b);
   /// Name and count of each, in a fixed order.

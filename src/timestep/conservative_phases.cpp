@@ -154,9 +154,9 @@ void follow_volumes(StepRun<Dim>& step) {
 /// Void gives way before matter does.
 template <int Dim>
 void fit_voids(StepRun<Dim>& step) {
-  static constexpr FieldAccess access{"fit voids", {}, contents | end_geometry, volume | phi};
-  step.queue_each_body(StepPhase::moves, access, [&step](Body<Dim>& body, int slot, Scratch&) {
-    if (can_fail(body.material.damage)) fit_voids(step.state(), body, slot);
+  static constexpr FieldAccess access{"fit voids", end_geometry, contents, volume | phi};
+  step.queue_each_body(StepPhase::moves, access, [&step](Body<Dim>& body, int slot, Scratch& scratch) {
+    if (can_fail(body.material.damage)) fit_voids(step.state(), body, slot, scratch);
     if (is_gas(body.material.eos)) fit_gas(step.state(), body, slot);
   });
 }

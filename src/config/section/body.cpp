@@ -168,6 +168,8 @@ void check_radial(Body& body, const TableReading& reading) {
   if (speed && body.rigid)
     reading.refuse("radial-velocity", "a rigid body cannot fly apart", "give it a 'velocity'");
   if (centre && !speed) reading.refuse("radial-centre", "'radial-centre' needs 'radial-velocity'");
+  if (reading.has("radial-falls-from") && !speed)
+    reading.refuse("radial-falls-from", "'radial-falls-from' needs 'radial-velocity'");
   body.radial_from_axis = speed && !centre && reading.in.geometry == Geometry::axisymmetric;
   if (speed && !centre && !body.radial_from_axis)
     reading.refuse("radial-velocity",
@@ -188,6 +190,8 @@ bool has_start(const Body& b) { return !b.takes_up_fragments(); }
 
 /// The geometries in which bodies turn.
 std::vector<Geometry> turning() { return {Geometry::planar, Geometry::space}; }
+
+std::vector<Geometry> beyond_1d() { return {Geometry::planar, Geometry::axisymmetric, Geometry::space}; }
 
 /// What the body is made of: a material, or a mass.
 Entries<Body> keys_of_matter() {
@@ -226,6 +230,35 @@ Entries<Body> keys_of_matter() {
            .doc = "of a free rigid body that can turn",
            .example = R"({ x = "1 mm" })",
            .when = is_free}};
+}
+
+/// How it flies apart, or together, at the start.
+Entries<Body> keys_of_radial_motion() {
+  return {
+      {.name = "radial-velocity",
+       .member = &Body::radial_velocity,
+       .unit = "m/s",
+       .optional = true,
+       .doc = "at the start, away from radial-centre; axisymmetric without it: away from the axis",
+       .example = R"("100 m/s")"},
+      {.name = "radial-centre",
+       .member = &Body::radial_centre,
+       .unit = "m",
+       .doc = "the point that it flies away from",
+       .example = R"({ x = "0 mm", y = "0 mm" })",
+       .when = [](const Body& b) { return b.radial_velocity != 0 && !b.radial_from_axis; }},
+      {.name = "radial-falls-from",
+       .member = &Body::radial_falls_from,
+       .unit = "m",
+       .positive = true,
+       .optional = true,
+       .doc =
+           "the distance from which radial-velocity falls as in matter of constant density: with the inverse "
+           "of the distance (planar, from the axis) or of its square (3d, axisymmetric from a centre); "
+           "without it, it is the same everywhere",
+       .example = R"("80 mm")",
+       .only_in = beyond_1d(),
+       .when = [](const Body& b) { return b.radial_falls_from > 0; }}};
 }
 
 /// The state of its matter at the start, and what lights it.
@@ -292,18 +325,6 @@ Entries<Body> keys_of_start() {
        .doc = "the point about which it turns",
        .example = R"({ x = "1 mm" })",
        .when = [](const Body& b) { return turns(b) && !is_free(b); }},
-      {.name = "radial-velocity",
-       .member = &Body::radial_velocity,
-       .unit = "m/s",
-       .optional = true,
-       .doc = "at the start, away from radial-centre; axisymmetric without it: away from the axis",
-       .example = R"("100 m/s")"},
-      {.name = "radial-centre",
-       .member = &Body::radial_centre,
-       .unit = "m",
-       .doc = "the point that it flies away from",
-       .example = R"({ x = "0 mm", y = "0 mm" })",
-       .when = [](const Body& b) { return b.radial_velocity != 0 && !b.radial_from_axis; }},
       {.name = "velocity-history",
        .member = custom_velocity_history(),
        .unit = "m/s",
@@ -317,8 +338,8 @@ Entries<Body> keys_of_start() {
 
 Entries<Body> Body::keys() {
   Entries<Body> keys = keys_of_matter();
-  for (auto& key : keys_of_start()) keys.push_back(std::move(key));
-  for (auto& key : keys_of_state()) keys.push_back(std::move(key));
+  for (const auto& more : {keys_of_start(), keys_of_radial_motion(), keys_of_state()})
+    keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
 

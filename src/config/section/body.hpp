@@ -26,6 +26,7 @@ struct Body {
   double radial_velocity = 0;     // m/s, away from radial_centre
   Vector radial_centre{};         // m
   bool radial_from_axis = false;  // away from the axis of an axisymmetric domain instead
+  double radial_falls_from = 0;   // m, the distance from which radial_velocity falls; 0: it does not
   std::vector<TimedVelocity> velocity_history;  // of a rigid body; empty: it keeps its velocity
   Detonation detonation;
   std::optional<double> pressure;     // Pa, at the start; none: 0

@@ -127,6 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{12, "velocity = { x = 5 }", 12, 18, "'x' is a bare number", "\"5 m/s\""},
         Mistake{12, "spin = \"1 rad/s\"", 12, 1, "'spin' needs 'spin-centre'", ""},
         Mistake{12, "spin-centre = { x = \"1 mm\" }", 12, 1, "needs 'spin'", ""},
+        Mistake{12, "radial-falls-from = \"1 mm\"", 12, 1, "needs 'radial-velocity'", ""},
         Mistake{16, "", 14, 7, "'shape' is missing in [body.target]", "kind"},
         Mistake{20, "at = { x = \"1 mm\" }\n[body.a]\nfragments-of = \"flier\"", 22, 16,
                 "there is no body 'flier'", "did you mean 'flyer'?"},

@@ -26,7 +26,7 @@ TEST(BordersCrossed, KeepTheVelocityOnAverage) {
   }
 }
 
-/// Failed matter in single cells far from the body, which ends 2.2 cells from the low edge of axis 0.
+/// Matter that can fail in single cells far from the body, which ends 2.2 cells from the low edge of axis 0.
 template <class D>
 struct LostFragments : testing::Test {
   static constexpr int dim = D::value;
@@ -57,12 +57,12 @@ struct LostFragments : testing::Test {
     return i[0] == first;
   }
   /// Puts so many cells of matter, which moves with u along axis 0, in the cell `first`.
-  void put(int body, int first, double cells, double speed) {
-    auto failed = per_volume<dim>(samples::copper(), some_primitives<dim>(samples::copper()));
-    for (int d = 0; d < dim; ++d) failed[C::u + static_cast<std::size_t>(d)] = d == 0 ? failed[0] * speed : 0;
-    failed[C::damage] = failed[0];
+  void put(int body, int first, double cells, double speed, double damage = 1) {
+    auto q = per_volume<dim>(samples::copper(), some_primitives<dim>(samples::copper()));
+    for (int d = 0; d < dim; ++d) q[C::u + static_cast<std::size_t>(d)] = d == 0 ? q[0] * speed : 0;
+    q[C::damage] = damage * q[0];
     for_each_piece(state, body, [&](auto& b, const Index<dim>& i, std::size_t k) {
-      if (is_at(i, first)) set_piece(b, k, cells * whole, failed);
+      if (is_at(i, first)) set_piece(b, k, cells * whole, q);
     });
   }
   double cells_at(int first) {
@@ -109,6 +109,15 @@ TYPED_TEST(LostFragments, GoOnWithTheirVelocity) {
   EXPECT_EQ(totals(this->state, 0)[0], 0);
   EXPECT_NEAR(this->edges.value().mass, mass, 1e-13 * mass);
   EXPECT_NEAR(this->edges.value().momentum[0], mass * this->u, 1e-10 * mass * this->u);
+}
+
+/// Two cells side by side leave each other no room to gather in; they had stood still.
+TYPED_TEST(LostFragments, GoOnAsWellIfTheyHaveNotFailed) {
+  this->put(0, 6, 1, this->u, 0.3);
+  this->put(0, 7, 1, this->u, 0.3);
+  this->steps_to(this->time_of(5));
+  EXPECT_NEAR(this->cells_at(11), 1, 1e-12);
+  EXPECT_NEAR(this->cells_at(12), 1, 1e-12);
 }
 
 TYPED_TEST(LostFragments, OneBehindTheOtherKeepTheirDistance) {

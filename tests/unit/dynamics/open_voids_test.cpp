@@ -35,7 +35,11 @@ struct Voids : testing::Test {
     return state;
   }
   void expect(State<dim>& state, double part) const {
-    for (int s = 0; s < state.mesh.local(); ++s) fit_voids(state, state.bodies[0], s);
+    Scratch scratch;
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      const Scratch::Frame frame(scratch);
+      fit_voids(state, state.bodies[0], s, scratch);
+    }
     for_each_piece(state, 0, [&](auto& b, const Index<dim>&, std::size_t k) {
       ASSERT_NEAR(b.volume[k] / whole(), part, 1e-9) << k;
     });
@@ -71,17 +75,27 @@ TYPED_TEST(Voids, DoNotFillCellsThatHoldNextToNothing) {
   this->expect(state, 1e-5);
 }
 
-/// Matter that has not failed is filled up only where the level set knows no way outwards.
+/// Matter that has not failed is filled up only where the level set knows no way outwards, or where less than
+/// half of a cell is left that the geometry shows full, as those around it.
 TYPED_TEST(Voids, FillCellsThatNothingElseCanFill) {
-  auto deep = this->filled(0.5, 0), near_surface = this->filled(0.5, 0);
-  const auto lack = [&](auto& state, double phi) {
-    for_each_piece(state, 0,
-                   [&](auto& b, const auto&, std::size_t k) { b.volume[k] *= 0.3, b.phi[k] = phi; });
+  auto deep = this->filled(0.5, 0), near_surface = this->filled(0.5, 0), pores = this->filled(0.5, 0),
+       beside_surface = this->filled(0.5, 0);
+  const auto lack = [&](auto& state, double part, double cells) {
+    for_each_piece(state, 0, [&](auto& b, const auto&, std::size_t k) {
+      b.volume[k] *= part, b.phi[k] = -cells * this->grid.dx;
+    });
   };
-  lack(deep, -far_cells * this->grid.dx);
-  lack(near_surface, -5 * this->grid.dx);
+  lack(deep, 0.7, far_cells);
+  lack(near_surface, 0.7, 5);
+  lack(pores, 0.3, 5);
+  lack(beside_surface, 0.3, 5);
+  for_each_piece(beside_surface, 0, [](auto& b, const Index<TestFixture::dim>& i, std::size_t k) {
+    if (i[0] % 2 == 0) b.end_geometry.kind[k] = CellKind::cut;
+  });
   this->expect(deep, 1);
-  this->expect(near_surface, 0.3);
+  this->expect(near_surface, 0.7);
+  this->expect(pores, 1);
+  this->expect(beside_surface, 0.3);
 }
 
 /// Gas gives way where a cell holds more than 1.1 cells of matter: to the room that is left, to half of its

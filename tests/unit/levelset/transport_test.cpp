@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "../core/dimensions.hpp"
@@ -179,6 +180,32 @@ TYPED_TEST(FollowingVolume, PhiFollowsFailedMatterFaster) {
         ASSERT_LE(step, 0.3 + 1e-12);
       }
     });
+  }
+}
+
+/// So do those of a thin piece of matter that can fail, not those of a thick one or of other matter.
+TYPED_TEST(FollowingVolume, PhiFollowsFragmentsFaster) {
+  const double h = 0.2 * this->grid.dx;
+  for (const auto& [radius, may_fail, rate] :
+       {std::tuple{1.2, true, 0.3}, {1.2, false, 0.02}, {6.3, true, 0.02}}) {
+    auto state =
+        make_test_state<TestFixture::dim>(this->grid, {ball(middle_of(this->grid), radius * this->grid.dx)});
+    cut_all(state);
+    if (may_fail) state.bodies[0].material.damage = TensileDamage{};
+    for (auto& b : state.bodies[0].blocks)
+      for (auto& cut : b.end_geometry.cuts) cut.mismatch = h;
+    Scratch scratch;
+    int followed = 0;
+    for (int s = 0; s < state.mesh.local(); ++s) {
+      const Scratch::Frame frame(scratch);
+      follow_volume(state, state.bodies[0], s, {.rate = 0.02, .rate_failed = 0.3}, scratch);
+    }
+    for_each_piece(state, 0, [&, rate = rate](auto& b, const auto&, std::size_t k) {
+      if (b.phi[k] == b.phi_next[k]) return;
+      ASSERT_NEAR((b.phi[k] - b.phi_next[k]) / h, rate, 1e-12);
+      ++followed;
+    });
+    EXPECT_GT(followed, 0);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "problem/start.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -143,6 +144,49 @@ TEST_F(Picture, SpinInSpace) {
       ASSERT_NEAR(b.contents[(1 + d) * b.volume.size() + k] / b.contents[k], exact[static_cast<int>(d)],
                   1e-12);
   });
+}
+
+/// The speed of a body that flies away from the origin, falling from radius 1 on, at a distance of the centre
+/// of a cell. Calls f(distance, speed) for all cells.
+template <int Dim, class F>
+void for_each_radial_speed(config::Case c, const parallel::World& world, F&& f) {
+  c.mesh.finest = 0.25;
+  c.bodies = {body_of("ball", ball_shape(vector_of(0, 0, 0), 2.5))};
+  c.bodies[0].radial_velocity = -300;
+  c.bodies[0].radial_falls_from = 1;
+  c.bodies[0].radial_from_axis =
+      c.domain.geometry == Geometry::axisymmetric && Dim == 2 && c.domain.lo[1] < -2;
+  const auto state = make_state<Dim>(c, {samples::copper()}, world);
+  for (int s = 0; s < state.mesh.local(); ++s) {
+    const auto& b = state.bodies[0].at(s);
+    if (!b.present) continue;
+    for_each(state.mesh.block(s).cells, [&](const Index<Dim>& i) {
+      const auto k = static_cast<std::size_t>(state.grid().layout().at(i - state.mesh.block(s).cells.lo));
+      if (b.contents[k] == 0) return;
+      Vec<Dim> u, x = state.grid().centre(i);
+      for (int d = 0; d < Dim; ++d)
+        u[d] = b.contents[static_cast<std::size_t>(1 + d) * b.volume.size() + k] / b.contents[k];
+      if (c.bodies[0].radial_from_axis)
+        for (int d = 1; d < Dim; ++d) x[d] = 0;
+      f(norm(x), dot(u, unit(x)));
+    });
+  }
+}
+
+/// As in matter of constant density: with the inverse of the distance from an axis, of its square from a
+/// point.
+TEST_F(Picture, RadialVelocityFallsWithTheDistance) {
+  const auto expect = [](double distance, double speed, int power) {
+    ASSERT_NEAR(speed, -300 / std::pow(std::max(distance, 1.0), power), 1e-9);
+  };
+  config::Case planar = planar_case(vector_of(-3, -3), vector_of(3, 3), 0.25), axis, point, space;
+  for_each_radial_speed<2>(planar, world, [&](double r, double u) { expect(r, u, 1); });
+  axis.domain = domain_of(Geometry::axisymmetric, vector_of(0, -3), vector_of(3, 3));
+  for_each_radial_speed<2>(axis, world, [&](double r, double u) { expect(r, u, 1); });
+  point.domain = domain_of(Geometry::axisymmetric, vector_of(0, 0), vector_of(3, 3));
+  for_each_radial_speed<2>(point, world, [&](double r, double u) { expect(r, u, 2); });
+  space.domain = domain_of(Geometry::space, vector_of(0, 0, 0), vector_of(3, 3, 3));
+  for_each_radial_speed<3>(space, world, [&](double r, double u) { expect(r, u, 2); });
 }
 
 TEST_F(Picture, RigidBodiesHoldNoMatter) {
