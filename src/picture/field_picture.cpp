@@ -24,7 +24,7 @@ struct Layout {
 /// Size of the field in the picture within the room left, at equal scales on both axes if asked for.
 Point2 fitted(const FieldPicture& p, double room_x, double room_y) {
   if (!p.equal_aspect) return {std::floor(room_x), std::floor(room_y)};
-  const double size_x = p.nx * p.dx * (p.mirror ? 2 : 1), size_y = p.ny * p.dy;
+  const double size_x = p.mirror ? 2 * (p.x0 + p.nx * p.dx) : p.nx * p.dx, size_y = p.ny * p.dy;
   const double scale = std::min(room_x / size_x, room_y / size_y);
   return {std::max(60.0, std::round(size_x * scale)), std::max(40.0, std::round(size_y * scale))};
 }
@@ -127,16 +127,19 @@ void paint_field(Canvas& canvas, const FieldPicture& p, const Layout& l) {
   const Sampler sampler{p};
   const PixelRect a = l.frame.area;
   Image image(p.detail * static_cast<int>(a.x1 - a.x0), p.detail * static_cast<int>(a.y1 - a.y0));
-  const double cells_x = p.nx * (p.mirror ? 2.0 : 1.0) / image.width, cells_y = 1.0 * p.ny / image.height;
+  const double beside_axis = p.mirror ? p.x0 / p.dx : 0;  // cells between the axis and the first one
+  const double half = beside_axis + p.nx;
+  const double cells_x = half * (p.mirror ? 2 : 1) / image.width, cells_y = 1.0 * p.ny / image.height;
   const int n = std::clamp(static_cast<int>(std::ceil(1.5 * std::max(cells_x, cells_y))), 3, 6);
   for (int j = 0; j < image.height; ++j)
     for (int i = 0; i < image.width; ++i) {
       int sum[3] = {0, 0, 0};
       for (int k = 0; k < n * n; ++k) {
         const int column = k % n, row = k / n;
-        const double u = (i + (column + 0.5) / n) * cells_x - (p.mirror ? p.nx : 0);
+        const double x = (i + (column + 0.5) / n) * cells_x - (p.mirror ? half : 0);
+        const double u = std::abs(x) - beside_axis;
         const double v = (image.height - j - (row + 0.5) / n) * cells_y;
-        const Rgb c = l.key.colours.at(sampler.at(std::abs(u), v));
+        const Rgb c = l.key.colours.at(u < 0 ? kNothing : sampler.at(u, v));
         sum[0] += c.r, sum[1] += c.g, sum[2] += c.b;
       }
       const auto mean = [n](int s) { return static_cast<unsigned char>((s + n * n / 2) / (n * n)); };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <vector>
 
 #include "core/error.hpp"
 #include "picture/frame.hpp"
@@ -90,6 +91,26 @@ TEST(FieldPicture, MirrorShowsBothHalves) {
   p.mirror = true;
   const PixelRect r = extent(rendered(field_picture(p)));
   EXPECT_NEAR((r.x1 - r.x0) / (r.y1 - r.y0), 1, 0.02);
+}
+
+/// Cells that begin 4 mm from the axis: two discs of 6 mm with 10 mm between them.
+TEST(FieldPicture, MirrorLeavesRoomBesideTheAxis) {
+  FieldPicture p = disc(80, 80, 4, 4);
+  p.mirror = true;
+  p.x0 = 4e-3;
+  const Image image = rendered(field_picture(p));
+  std::vector<int> widest{0, 0, 0, 0};  // where matter begins and ends along a row
+  for (int j = 0; j < image.height; ++j) {
+    std::vector<int> borders;
+    for (int i = 1; i < image.width; ++i)
+      if (near(image.at(i, j), middle_colour()) != near(image.at(i - 1, j), middle_colour()))
+        borders.push_back(i);
+    if (borders.size() == 4 && borders[1] - borders[0] > widest[1] - widest[0]) widest = borders;
+  }
+  const double across = widest[1] - widest[0];
+  ASSERT_GT(across, 50);
+  EXPECT_NEAR((widest[2] - widest[1]) / across, 10.0 / 6, 0.02);
+  EXPECT_NEAR((widest[3] - widest[2]) / across, 1, 0.02);
 }
 
 TEST(FieldPicture, CellsLieWhereTheyShould) {
