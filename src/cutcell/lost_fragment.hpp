@@ -10,8 +10,8 @@
 #include "state/alone.hpp"
 #include "state/places.hpp"
 
-/// Fragments of failed matter in cells that the geometry, linear between nodes, shows empty: a disc of less
-/// than two cells has all nodes outside.
+/// Fragments of matter that can fail in cells that the geometry, linear between nodes, shows empty: a disc of
+/// less than two cells has all nodes outside.
 namespace recoil {
 
 /// How many cells around one the geometry shows empty although they hold matter.
@@ -30,12 +30,13 @@ int lost_around(const MovesView<Dim>& p, const Index<Dim>& i) {
 
 /// Of matter that has no room where it is sent, what is too much stays: fragments whose level set has fallen
 /// behind their matter get it back (restore_level_set()), instead of being pressed into one cell.
-/// Where the geometry has lost that cell too, only a fuller one takes: else two would change places in each
-/// step. @param failed whether it is a fragment of failed matter: all that may send to a cell share its room.
+/// @param failed whether it is a fragment of failed matter. Then all that may send to a cell share its room,
+/// and where the geometry has lost that cell too, only a fuller one takes: else two would change places in
+/// each step.
 template <int Dim>
 void keep_without_room(const MovesView<Dim>& p, const Index<Dim>& from, bool failed, Transfer<Dim>& t) {
   const int to = p.window.at(t.to);
-  if (p.kind[to] == CellKind::empty && !(p.volume[to] > p.volume[p.window.at(from)])) {
+  if (failed && p.kind[to] == CellKind::empty && !(p.volume[to] > p.volume[p.window.at(from)])) {
     t = {};
     return;
   }

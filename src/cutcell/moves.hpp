@@ -15,7 +15,7 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot);
 /// Cells that the geometry shows empty give all to their neighbour inwards. Where that lies beyond an open
 /// edge of the domain the body has left, and what the cell still holds leaves too; so does the last of a body
 /// that moves out there, less than half a cell with no more around. Both are booked in `edges`. Fragments of
-/// failed matter that have no such neighbour go on with their own velocity (lost_fragment.hpp).
+/// matter that can fail which have no such neighbour go on with their own velocity (lost_fragment.hpp).
 /// @param dt of the step [s]; state.time is that of its start.
 template <int Dim>
 void empty_outside(const State<Dim>& state, Body<Dim>& body, int slot, double dt,

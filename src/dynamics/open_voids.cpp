@@ -64,9 +64,8 @@ bool is_far_and_lost(const BodyBlock<Dim>& b, std::size_t k, double fill, double
   return fill > least_kept && b.phi[k] > kept_from * dx && b.end_geometry.kind[k] == CellKind::empty;
 }
 
-/// Marks the cells of a block that the geometry shows full, as all around them, but that hold less than half
-/// of a cell of intact matter: what is left of a void that has closed to less than two cells. @returns null
-/// where there are none.
+/// Marks the cells of a block that the geometry shows full, as all that share a face with them, but that hold
+/// less than half of a cell of intact matter. @returns null where there are none.
 template <int Dim>
 const std::uint8_t* find_pores(const State<Dim>& state, const Body<Dim>& body, int slot, Scratch& scratch) {
   const BodyBlock<Dim>& b = body.at(slot);

@@ -37,6 +37,8 @@ std::int64_t restore_level_set(const State<Dim>& state, Body<Dim>& body, int slo
 /// than thinnest_failed is left to fill_inside(): stencils could not use it, and its faces would let out what
 /// its neighbours have. Far within (phi <= -far_cells dx) a cell that lacks volume is filled up whatever its
 /// matter: fill_inside() has no way outwards there, and the tension that comes of it is judged as any other.
+/// So is a cell with less than half of a cell of matter among full ones: what is left of a void that has
+/// closed to less than two cells (decision 0075). Matter so thin has torn.
 template <int Dim>
 void fit_voids(const State<Dim>& state, Body<Dim>& body, int slot, Scratch& scratch);
 
