@@ -169,7 +169,8 @@ void check_radial(Body& body, const TableReading& reading) {
     reading.refuse("radial-velocity", "a rigid body cannot fly apart", "give it a 'velocity'");
   if (centre && !speed) reading.refuse("radial-centre", "'radial-centre' needs 'radial-velocity'");
   if (reading.has("radial-falls-from") && !speed)
-    reading.refuse("radial-falls-from", "'radial-falls-from' needs 'radial-velocity'");
+    reading.refuse("radial-falls-from", "'radial-falls-from' needs 'radial-velocity'",
+                   "e.g. radial-velocity = \"100 m/s\"");
   body.radial_from_axis = speed && !centre && reading.in.geometry == Geometry::axisymmetric;
   if (speed && !centre && !body.radial_from_axis)
     reading.refuse("radial-velocity",
