@@ -57,24 +57,41 @@ template <int Dim>
 struct FirstHit {
   double way = std::numeric_limits<double>::infinity();  // m
   double cosine = 0;                                     // of the motion with the normal into the other body
+  bool facing = false;                                   // the two surfaces have one normal there: no corner
   Vec<Dim> place, start;                                 // of the point when it touches, and before it moves
+
+  /// Of points that arrive together those of surfaces that lie on each other say more than corners, which
+  /// have no normal; and of such the one that runs in most squarely.
+  bool tells_more_than(const FirstHit& other) const {
+    return facing != other.facing ? facing : cosine > other.cosine;
+  }
 };
 
-/// Moves points along a unit vector until they touch the other surface; never farther than to it.
+/// The surfaces of two bodies.
 template <int Dim>
-FirstHit<Dim> first_hit(const std::vector<Vec<Dim>>& points, const Vec<Dim>& direction,
-                        const Distance<Dim>& other, double farthest, double tolerance) {
+struct Pair {
+  const Distance<Dim>&own, &other;
+};
+
+/// Normals of surfaces that face each other are this near to opposite.
+constexpr double facing_cosine = 0.99;
+
+/// Moves points of a surface along a unit vector until they touch the other one; never farther than to it.
+template <int Dim>
+FirstHit<Dim> first_hit(const std::vector<Vec<Dim>>& points, const Vec<Dim>& direction, const Pair<Dim>& pair,
+                        double farthest, double tolerance) {
   FirstHit<Dim> hit;
   for (const Vec<Dim>& start : points) {
     double way = 0;
     Vec<Dim> x = start;
     for (int k = 0; k < 500 && way < std::min(farthest, hit.way + tolerance); ++k) {
-      const double gap = other(x);
+      const double gap = pair.other(x);
       if (gap < tolerance) {
-        const double cosine = -dot(direction, normal_of(other, x, tolerance));
-        // Of points that arrive together the one that runs in most squarely.
-        if (way < hit.way - tolerance || (way < hit.way + tolerance && cosine > hit.cosine))
-          hit = {std::min(way, hit.way), cosine, x, start};
+        const Vec<Dim> normal = normal_of(pair.other, x, tolerance);
+        const bool facing = dot(normal, normal_of(pair.own, start, tolerance)) < -facing_cosine;
+        const FirstHit<Dim> found{std::min(way, hit.way), -dot(direction, normal), facing, x, start};
+        if (way < hit.way - tolerance || (way < hit.way + tolerance && found.tells_more_than(hit)))
+          hit = found;
         break;
       }
       way += gap;
@@ -109,7 +126,8 @@ struct Surfaces {
   /// they are closer than a part of a cell of the mesh: on a coarse grid none is where round bodies touch.
   FirstHit<Dim> hit_by_points(std::size_t a, std::size_t b, const Vec<Dim>& direction) const {
     constexpr double finer = 4, close = 16;
-    FirstHit<Dim> best = first_hit(points[a], direction, distance[b], 2 * size, 2e-3 * h);
+    const Pair<Dim> pair{distance[a], distance[b]};
+    FirstHit<Dim> best = first_hit(points[a], direction, pair, 2 * size, 2e-3 * h);
     double spacing = h;
     while (std::isfinite(best.way) && spacing > c.mesh.finest / close) {
       Part<Dim> around;
@@ -118,8 +136,8 @@ struct Surfaces {
         around.hi[d] = std::min(all.hi[d], best.start[d] + 1.5 * spacing);
       }
       spacing /= finer;
-      const FirstHit<Dim> closer = first_hit(points_of(distance[a], around, spacing), direction, distance[b],
-                                             best.way, 2e-3 * spacing);
+      const FirstHit<Dim> closer =
+          first_hit(points_of(distance[a], around, spacing), direction, pair, best.way, 2e-3 * spacing);
       if (closer.way < best.way) best = closer;
     }
     return best;
@@ -129,7 +147,7 @@ struct Surfaces {
   FirstHit<Dim> hit(std::size_t a, std::size_t b, const Vec<Dim>& direction) const {
     const FirstHit<Dim> there = hit_by_points(a, b, direction), back = hit_by_points(b, a, -direction);
     const bool together = std::abs(there.way - back.way) < 0.01 * h;
-    return together ? (there.cosine > back.cosine ? there : back) : there.way < back.way ? there : back;
+    return together ? (there.tells_more_than(back) ? there : back) : there.way < back.way ? there : back;
   }
 
   Approach approach(std::size_t a, std::size_t b) const {

@@ -16,6 +16,7 @@
 #include "core/closest.hpp"
 #include "core/error.hpp"
 #include "material/library.hpp"
+#include "record/recorder.hpp"
 
 namespace recoil::app {
 
@@ -91,6 +92,8 @@ std::string short_name(const fs::path& case_file) {
   if (case_file.filename() != "case.toml") return case_file.stem().string();
   return fs::absolute(case_file).lexically_normal().parent_path().filename().string();
 }
+
+std::string title_of(const config::Case& c) { return c.title.empty() ? case_name(c) : c.title; }
 
 LoadedCase load_case(const std::string& word, const std::vector<std::string>& overrides,
                      const fs::path& home) {

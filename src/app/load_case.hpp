@@ -28,6 +28,9 @@ std::filesystem::path find_case_file(const std::string& word);
 /// "flyer_al_cu" of cases/flyer_al_cu/case.toml, "mine" of mine.toml.
 std::string short_name(const std::filesystem::path& case_file);
 
+/// The title of a case, or without one the name of its file.
+std::string title_of(const config::Case& c);
+
 /// Reads the case, expected.toml, and the materials; all mistakes are in `found`. With errors the rest is
 /// only good for finding more of them. @throws InputError where there is no such file.
 /// @param home the file that the case counts as, where `word` is a copy of it: names, references and
@@ -41,6 +44,10 @@ LoadedCase load_run(const std::filesystem::path& folder);
 
 /// @throws InputError where a folder does not exist, with those beside it whose names are near.
 void require_folder(const std::filesystem::path& folder);
+
+/// Expectations that name what no run of the case can tell, compare it with a value of another dimension, or
+/// with a curve that is not there: a part of check_logic().
+void check_expectations(LoadedCase& loaded);
 
 /// Checks that need more than single values, for cases without errors so far: more cells than the machine has
 /// memory for, fields and intervals that do not exist, bodies that overlap, lie outside the domain, are cut

@@ -68,6 +68,13 @@ void Diagnostics::error(Place place, std::string message, std::string help) {
   ++errors_;
 }
 
+void Diagnostics::error(Place place, const InputError& thrown) {
+  const std::string text = thrown.what(), head = "error: ", help = "\n   = help: ";
+  const std::size_t begin = text.starts_with(head) ? head.size() : 0, end = text.find(help, begin);
+  error(std::move(place), text.substr(begin, end - begin),
+        end == std::string::npos ? "" : text.substr(end + help.size()));
+}
+
 void Diagnostics::warning(Place place, std::string message, std::string help) {
   add_once(list_, {Diagnostic::Severity::warning, std::move(place), std::move(message), std::move(help)});
 }

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace recoil::config {
 
 /// Where something stands in a text. Lines and columns count from 1, columns and length in characters
@@ -29,6 +31,8 @@ class Diagnostics {
   void source(std::string file, std::string text);
 
   void error(Place place, std::string message, std::string help = {});
+  /// One that was thrown: its message and its cure, at a place.
+  void error(Place place, const InputError& thrown);
   void warning(Place place, std::string message, std::string help = {});
 
   bool has_errors() const { return errors_ > 0; }

@@ -4,28 +4,22 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "config/units.hpp"
 #include "core/closest.hpp"
-#include "core/error.hpp"
 
 namespace recoil::config {
 
 namespace {
 
-/// Units that depend on the geometry; gauges declare them by these names.
-constexpr std::array<std::string_view, 6> sums{"mass", "energy", "area", "force", "momentum", "volume"};
-
 /// "gauge.NAME.COLUMN.reduction@argument" taken apart.
 struct Named {
   std::string column;
-  bool has_value = false, keeps_unit = false;
+  bool has_value = false;
 };
 
 Named named_in(const std::string& quantity, const std::string& gauge) {
@@ -34,43 +28,27 @@ Named named_in(const std::string& quantity, const std::string& gauge) {
   if (begin < std::min(at, quantity.size())) named.column = quantity.substr(begin, at - begin);
   const std::size_t dot = named.column.rfind('.');
   const std::string tail = dot == std::string::npos ? "" : named.column.substr(dot + 1);
-  const Reduction* found = find_reduction(tail);
-  named.has_value = at != std::string::npos || found;
-  named.keeps_unit = !found || found->keeps_unit;
-  if (found) named.column.erase(dot);
+  const bool reduced = is_reduction(tail);
+  named.has_value = at != std::string::npos || reduced;
+  if (reduced) named.column.erase(dot);
   return named;
-}
-
-/// An empty name is that of pure numbers.
-std::string dimension_of(const std::string& unit) { return dimension_name(unit == "1" ? "" : unit); }
-
-bool is_known(const std::string& unit) {
-  try {
-    dimension_of(unit);
-    return true;
-  } catch (const InputError&) {
-    return false;  // which has been told where the value was read
-  }
-}
-
-void check_unit(const Expectation& e, const Column& column, Diagnostics& out) {
-  if (e.is_flag || std::ranges::find(sums, std::string_view(column.unit)) != sums.end()) return;
-  const bool nothing = e.unit.empty() && e.value == 0;
-  if (nothing || !is_known(e.unit) || dimension_of(e.unit) == dimension_of(column.unit)) return;
-  const std::string given = e.unit.empty() ? "a bare number" : fmt::format("of [{}]", dimension_of(e.unit));
-  const bool plain = std::string_view(column.unit) == "1";
-  out.error(e.place,
-            fmt::format("'{}' is {}, but the expected value is {}", e.quantity,
-                        plain ? "a pure number" : fmt::format("of [{}]", dimension_of(column.unit)), given),
-            plain ? "give a number without a unit"
-                  : fmt::format("give it in {}, e.g. \"1 {}\"", column.unit, column.unit));
 }
 
 }  // namespace
 
+void check_dimension(const Expectation& e, const std::string& unit, Diagnostics& out) {
+  if (is_comparable(e.value, e.unit, unit)) return;
+  const auto of = [](const std::string& name) { return fmt::format("of [{}]", dimension_name(name)); };
+  const bool plain = unit == "1";
+  out.error(e.place,
+            fmt::format("'{}' is {}, but the expected value is {}", e.quantity,
+                        plain ? "a pure number" : of(unit), e.unit.empty() ? "a bare number" : of(e.unit)),
+            plain ? "give a number without a unit" : fmt::format("give it in {}, e.g. \"1 {}\"", unit, unit));
+}
+
 void check_expected_column(const Expectation& expected, const Gauge& gauge, Diagnostics& out) {
   const Named named = named_in(expected.quantity, gauge.name);
-  const std::vector<Column> columns = std::visit([](const auto& kind) { return kind.columns(); }, gauge.kind);
+  const std::vector<Column> columns = written_columns(gauge);
   std::vector<std::string> names;
   for (const Column& c : columns) names.emplace_back(c.name);
   const auto is_named = [&](const Column& c) {
@@ -89,8 +67,6 @@ void check_expected_column(const Expectation& expected, const Gauge& gauge, Diag
     out.error(expected.place, fmt::format("'{}' does not say which value of the record", expected.quantity),
               "append @TIME, .peak, .last, .pullback, .max, .min, .mean@FROM..TO, .rms@FROM..TO, "
               ".slope@FROM..TO, .arrival@LEVEL or .until@LEVEL");
-  else if (named.keeps_unit)
-    check_unit(expected, *column, out);
 }
 
 }  // namespace recoil::config

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "config/diagnostics.hpp"
@@ -11,31 +12,20 @@ namespace recoil::config {
 
 /// What makes one number of a column of a record: "gauge.NAME.COLUMN.reduction@argument"
 /// (record/quantities.cpp). Where none is named but there is an argument it is "at".
-struct Reduction {
-  std::string_view name;
-  bool keeps_unit;  // of the column
-};
-inline constexpr std::array<Reduction, 12> reductions{{{"at", true},
-                                                       {"peak", true},
-                                                       {"last", true},
-                                                       {"max", true},
-                                                       {"min", true},
-                                                       {"mean", true},
-                                                       {"rms", true},
-                                                       {"error", true},
-                                                       {"pullback", true},
-                                                       {"slope", false},
-                                                       {"arrival", false},
-                                                       {"until", false}}};
-/// Null: there is none of that name.
-constexpr const Reduction* find_reduction(std::string_view name) {
-  for (const Reduction& r : reductions)
-    if (r.name == name) return &r;
-  return nullptr;
+inline constexpr std::array<std::string_view, 12> reductions{
+    "at", "peak", "last", "max", "min", "mean", "rms", "error", "pullback", "slope", "arrival", "until"};
+constexpr bool is_reduction(std::string_view name) {
+  for (const std::string_view known : reductions)
+    if (known == name) return true;
+  return false;
 }
 
-/// Reports an expectation of a gauge that names a column which the gauge does not have, no value of it, or
-/// compares it with a value of another dimension: before the run, not at its end.
+/// Reports an expected value that is not of the dimension of `unit`, which results have it in; "1": of a pure
+/// number.
+void check_dimension(const Expectation& expected, const std::string& unit, Diagnostics& out);
+
+/// Reports an expectation of a gauge that names a column which the gauge does not have, or no value of it:
+/// before the run, not at its end.
 void check_expected_column(const Expectation& expected, const Gauge& gauge, Diagnostics& out);
 
 }  // namespace recoil::config

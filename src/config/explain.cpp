@@ -95,6 +95,7 @@ std::string full_name(const Column& column) {
   using enum Column::Each;
   return std::string(column.name) + (column.each == axis     ? ".AXIS"
                                      : column.each == stress ? ".COMPONENT"
+                                     : column.each == turn   ? " (3d: .AXIS)"
                                                              : "");
 }
 

@@ -45,7 +45,9 @@ struct Key {
 /// A column of the file that a gauge writes. A unit such as "force" stands for the unit of sums of this
 /// geometry (RunUnits).
 struct Column {
-  enum class Each { once, axis, stress };  // axis: one column for each coordinate, NAME.x, ...
+  /// axis: one column for each coordinate, NAME.x, ...; turn: for each axis about which bodies turn, in the
+  /// plane NAME alone.
+  enum class Each { once, axis, stress, turn };
   const char* name;
   const char* unit;
   const char* doc;

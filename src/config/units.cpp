@@ -364,6 +364,10 @@ std::string dimension_name(std::string_view unit) {
   return name_of(u.get());
 }
 
+bool is_comparable(double value, std::string_view given, std::string_view needed) {
+  return (value == 0 && given.empty()) || dimension_name(given) == dimension_name(needed);
+}
+
 std::string si_unit_of(std::string_view unit) {
   const Unit u = parse_unit(unit.empty() ? "1" : unit);
   const Dimension* d = u ? dimension_of(u.get()) : nullptr;

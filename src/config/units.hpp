@@ -36,6 +36,10 @@ std::string format_quantity(double si, std::string_view unit, int digits = 6);
 /// "length", "velocity", ... of a unit, or its base units where it has no common name.
 std::string dimension_name(std::string_view unit);
 
+/// Whether a value that was written in `given` can be compared with one in `needed`: both of one dimension,
+/// or zero without a unit. @throws InputError for an unknown unit.
+bool is_comparable(double value, std::string_view given, std::string_view needed);
+
 /// The coherent SI unit of the same dimension, where it is a common one: "mm/us" gives "m/s"; else empty.
 std::string si_unit_of(std::string_view unit);
 

@@ -18,6 +18,15 @@ std::string unit_of(const std::string& declared, const RunUnits& units) {
   return declared;
 }
 
+/// What stands behind the names of columns of which there is one for each `each`; an empty text for none.
+std::vector<std::string> parts(config::Column::Each each, const RunUnits& units) {
+  using enum config::Column::Each;
+  std::vector<std::string> names = each == axis ? units.axes : each == stress ? units.stresses : units.turns;
+  if (each == once || (each == turn && names.size() == 1)) return {""};
+  for (std::string& name : names) name = "." + name;
+  return names;
+}
+
 /// A value in SI times this is in the unit.
 double to_unit(const std::string& unit) {
   if (unit == "GPa") return 1e-9;
@@ -30,14 +39,10 @@ double to_unit(const std::string& unit) {
 }  // namespace
 
 std::vector<SeriesColumn> column_list(const std::vector<config::Column>& declared, const RunUnits& units) {
-  using enum config::Column::Each;
   std::vector<SeriesColumn> all;
   for (const config::Column& c : declared) {
     const std::string unit = unit_of(c.unit, units);
-    if (c.each == once) all.push_back({c.name, unit, to_unit(unit)});
-    if (c.each == once) continue;
-    for (const std::string& part : c.each == axis ? units.axes : units.stresses)
-      all.push_back({std::string(c.name) + "." + part, unit, to_unit(unit)});
+    for (const std::string& part : parts(c.each, units)) all.push_back({c.name + part, unit, to_unit(unit)});
   }
   return all;
 }

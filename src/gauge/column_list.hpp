@@ -8,8 +8,8 @@
 
 namespace recoil {
 
-/// Declared columns as they are written in a geometry: one for each axis or stress component, with the units
-/// of sums.
+/// Declared columns as they are written in a geometry: one for each axis, stress component or turn, with
+/// the units of sums.
 std::vector<SeriesColumn> column_list(const std::vector<config::Column>& declared, const RunUnits& units);
 
 }  // namespace recoil

@@ -46,15 +46,13 @@ class GaugeWatch {
   virtual bool reads_contents_around() const { return false; }
   /// Over a distance instead of over time: the distances [m] of its records, and what they are; else empty.
   virtual std::vector<double> distances() const { return {}; }
-  /// Takes from or adds to the declared columns.
-  virtual void choose_columns(std::vector<SeriesColumn>& /*columns*/) const {}
 
   /// Adds this rank's share. Collective.
   virtual void collect(const State<Dim>& /*state*/, const parallel::World& /*world*/, bool /*at_rest*/,
                        ExactSums& /*sums*/) {}
   /// What happens at each step, on rank 0. @param dt [s]
   virtual void follow(const ExactSums& /*sums*/, double /*dt*/) {}
-  /// Appends the values of all columns, in SI; of a record over a distance nothing. On rank 0.
+  /// Appends the values of config::written_columns(), in SI; of a record over a distance nothing. On rank 0.
   virtual void read(const GaugeReading<Dim>& reading, std::vector<double>& row) = 0;
   /// The values of a record over a distance: [column][distance].
   virtual void read_all(std::vector<std::vector<double>>& /*values*/) const {}

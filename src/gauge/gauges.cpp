@@ -34,18 +34,13 @@ Gauges<Dim>::Gauges(const config::Case& c, const State<Dim>& state, const parall
     Gauge& g = gauges_.emplace_back();
     g.due = Due(every(from.kind));
     g.series.name = from.name;
-    std::visit(
-        [&](const auto& kind) {
-          g.watch = make_watch<Dim>(kind, setup);
-          if (world.rank() == 0) open(g, column_list(kind.columns(), units_));
-        },
-        from.kind);
+    g.watch = std::visit([&](const auto& kind) { return make_watch<Dim>(kind, setup); }, from.kind);
+    if (world.rank() == 0) open(g, column_list(config::written_columns(from), units_));
   }
 }
 
 template <int Dim>
 void Gauges<Dim>::open(Gauge& g, std::vector<SeriesColumn> columns) {
-  g.watch->choose_columns(columns);
   g.series.columns = std::move(columns);
   g.series.time = g.watch->distances();
   g.over_distance = !g.series.time.empty();

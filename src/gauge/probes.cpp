@@ -26,6 +26,50 @@ void for_blocks_near(const State<Dim>& state, int body, const Vec<Dim>& x, F&& f
   });
 }
 
+/// Square of a distance, in dx^2.
+template <int Dim>
+double cells_apart2(const Vec<Dim>& a, const Vec<Dim>& b, double dx) {
+  const Vec<Dim> r = (a - b) * (1 / dx);
+  return dot(r, r);
+}
+
+template <int Dim>
+bool within_reach(const Vec<Dim>& piece, const Vec<Dim>& point, double dx) {
+  return cells_apart2(piece, point, dx) <= far_reach * far_reach;
+}
+
+/// A piece of surface.
+template <int Dim>
+struct Piece {
+  Vec<Dim> at, velocity, normal;
+};
+
+/// f(image) for a piece of surface and its images beyond the reflecting edges that are near x, the axis among
+/// them: so a point on such an edge stays there.
+template <int Dim, class F>
+void for_images(const Grid<Dim>& grid, const Vec<Dim>& x, const Piece<Dim>& piece, F&& f) {
+  Vec<Dim> edge;
+  unsigned near = 0;  // axes, as bits
+  for (int d = 0; d < Dim; ++d)
+    for (int side = 0; side < 2; ++side) {
+      const double at = grid.origin[d] + (side == 0 ? 0 : grid.cells[d]) * grid.dx;
+      if (grid.edge[d][side] != Edge::reflect || !(std::abs(x[d] - at) <= far_reach * grid.dx)) continue;
+      edge[d] = at;
+      near |= 1U << d;
+    }
+  for (unsigned flips = 0; flips < 1U << Dim; ++flips) {
+    if ((flips & ~near) != 0) continue;
+    Piece<Dim> image = piece;
+    for (int d = 0; d < Dim; ++d) {
+      if ((flips >> d & 1U) == 0) continue;
+      image.at[d] = 2 * edge[d] - piece.at[d];
+      image.velocity[d] = -piece.velocity[d];
+      image.normal[d] = -piece.normal[d];
+    }
+    f(image);
+  }
+}
+
 /// Adds weight times velocity and normal to the near and far sums.
 template <int Dim>
 void add_reading(const SumRow& row, double r2, double weight, const Vec<Dim>& velocity,
@@ -41,13 +85,6 @@ void add_reading(const SumRow& row, double r2, double weight, const Vec<Dim>& ve
   }
 }
 
-/// Square of a distance, in dx^2.
-template <int Dim>
-double cells_apart2(const Vec<Dim>& a, const Vec<Dim>& b, double dx) {
-  const Vec<Dim> r = (a - b) * (1 / dx);
-  return dot(r, r);
-}
-
 }  // namespace
 
 template <int Dim>
@@ -58,14 +95,18 @@ void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int 
     for (std::size_t m = 0; m < std::min(b.walls.size(), b.geometry.cuts.size()); ++m) {
       const CutCell<Dim>& cut = b.geometry.cuts[m];
       const Wall<Dim>& wall = b.walls[m];
-      const double r2 = cells_apart2(cut.point, point.at, dx);
-      if (r2 > far_reach * far_reach) continue;
-      if (point.normal != Vec<Dim>{} && !(dot(wall.normal, point.normal) > 0)) continue;
+      if (!within_reach(cut.point, point.at, dx)) continue;
       const Box<Dim> cells = state.mesh.block(slot).cells;
       const Index<Dim> i = cells.lo + state.grid().layout().index(cut.cell);
       const double area = norm(cut.surface) / (state.grid().dx_power(Dim - 1) * state.grid().radius(i[0]));
-      add_reading(sums.add(item), r2, std::exp(-2 * r2) * (area + least_area), wall.mean_velocity,
-                  wall.normal);
+      const Piece<Dim> own{cut.point, wall.mean_velocity, wall.normal};
+      for_images(state.grid(), point.at, own, [&](const Piece<Dim>& piece) {
+        if (!within_reach(piece.at, point.at, dx)) return;
+        const double r2 = cells_apart2(piece.at, point.at, dx);
+        if (point.normal != Vec<Dim>{} && !(dot(piece.normal, point.normal) > 0)) return;
+        add_reading(sums.add(item), r2, std::exp(-2 * r2) * (area + least_area), piece.velocity,
+                    piece.normal);
+      });
     }
   });
 }
@@ -83,13 +124,17 @@ void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& poi
     const Window<Dim> window(state.mesh, slot, 1);
     for_each(cells, [&](const Index<Dim>& i) {
       const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-      const double r2 = cells_apart2(state.grid().centre(i), point.at, dx);
-      if (r2 > far_reach * far_reach || n == 0 || !(b.contents[k] > 0)) return;
+      const Vec<Dim> centre = state.grid().centre(i);
+      if (!within_reach(centre, point.at, dx) || n == 0 || !(b.contents[k] > 0)) return;
       Vec<Dim> velocity;
       for (int d = 0; d < Dim; ++d)
         velocity[d] = b.contents[static_cast<std::size_t>(C::u + d) * n + k] / b.contents[k];
-      add_reading(sums.add(item), r2, std::exp(-2 * r2), velocity,
-                  level_set_slope(window, body, i, 1, far_cells * dx));
+      const Piece<Dim> own{centre, velocity, level_set_slope(window, body, i, 1, far_cells * dx)};
+      for_images(state.grid(), point.at, own, [&](const Piece<Dim>& piece) {
+        if (!within_reach(piece.at, point.at, dx)) return;
+        const double r2 = cells_apart2(piece.at, point.at, dx);
+        add_reading(sums.add(item), r2, std::exp(-2 * r2), piece.velocity, piece.normal);
+      });
     });
   });
 }

@@ -31,7 +31,7 @@ inline constexpr std::size_t surface_sums = 2 * (1 + 2 * Dim);
 /// Adds the walls near the point, of this rank's blocks: cut cells within 2 dx, or else 4 dx, of which the
 /// middle of the surface is r away count with exp(-2 r^2/dx^2) (|A_I|/dx^(Dim-1) + 0.02). Where the normal is
 /// known, surfaces that face the other way (the far side of a thin body) do not count. After a step.
-/// Fragments of the body count that other bodies have taken up.
+/// Fragments of the body count that other bodies have taken up, and images beyond reflecting edges.
 template <int Dim>
 void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int item, ExactSums& sums);
 

@@ -102,19 +102,27 @@ class CellTerms {
   std::size_t used_ = 0;
 };
 
-/// Largest strain, and the extent: a ball of radius |phi| about a place inside lies within the body, and
-/// touches its surface, so the farthest such ball shows how far the body reaches.
 template <int Dim>
-void find_extremes(const Grid<Dim>& grid, double finest, const BodyBlock<Dim>& b, const Box<Dim>& cells,
-                   const SumRow& out) {
+void find_strain(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const Box<Dim>& cells, const SumRow& out) {
   using C = Components<Dim>;
-  using A = At<Dim>;
   const Box<Dim> layout = grid.layout();
   const std::size_t n = b.volume.size();
   for_each(cells, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     if (b.volume[k] >= judged_fill * grid.full_volume(i) && b.contents[k] > 0)
-      out.raise(A::strain, b.contents[C::ep * n + k] / b.contents[k]);
+      out.raise(At<Dim>::strain, b.contents[C::ep * n + k] / b.contents[k]);
+  });
+}
+
+/// A ball of radius |phi| about a place inside lies within the body, and touches its surface, so the farthest
+/// such ball shows how far the body reaches.
+template <int Dim>
+void find_extent(const Grid<Dim>& grid, double finest, const BodyBlock<Dim>& b, const Box<Dim>& cells,
+                 const SumRow& out) {
+  using A = At<Dim>;
+  const Box<Dim> layout = grid.layout();
+  for_each(cells, [&](const Index<Dim>& i) {
+    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     if (!(b.phi[k] < 0) || b.phi[k] < -2 * finest) return;  // deeper cells give the surface less accurately
     const Vec<Dim> x = grid.centre(i);
     for (std::size_t d = 0; d < Dim; ++d) {
@@ -131,6 +139,9 @@ void sum_block(const State<Dim>& state, const Body<Dim>& body, int slot, CellTer
   const Grid<Dim>& grid = state.grid(slot);
   const BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
+  find_extent(grid, state.grid().dx, b, cells, out);
+  if (body.rigid) return;  // it has no contents
+  find_strain(grid, b, cells, out);
   Box<Dim> starts = cells;  // of the rows
   starts.hi[0] = cells.lo[0] + 1;
   for_each(starts, [&](const Index<Dim>& i) {
@@ -138,7 +149,6 @@ void sum_block(const State<Dim>& state, const Body<Dim>& body, int slot, CellTer
                   static_cast<std::size_t>(cells.hi[0] - cells.lo[0]), grid, i, out.sums);
   });
   terms.flush(out.sums);
-  find_extremes(grid, state.grid().dx, b, cells, out);
 }
 
 template <int Dim>
@@ -216,20 +226,17 @@ void forget_periodic_moments(const Grid<Dim>& grid, Vec<3>& moment) {
       if (grid.periodic(d) && about != d && (Dim == 3 || about == 2)) moment[about] = no_number;
 }
 
-/// A free rigid body holds what it has been given; one that moves as prescribed counts as nothing.
+/// A free rigid body holds what it has been given; one that moves as prescribed holds nothing.
 template <int Dim>
-BodyTotals<Dim> rigid_totals(const RigidMotion<Dim>& m) {
-  BodyTotals<Dim> t;
-  for (int d = 0; d < Dim; ++d) t.lowest[d] = t.highest[d] = no_number;
-  if (!m.mass) return t;
+void take_rigid(const RigidMotion<Dim>& m, BodyTotals<Dim>& t) {
+  if (!m.mass) return;
   t.mass = m.mass->mass;
   t.momentum = t.mass * m.velocity;
   t.kinetic = kinetic_energy(m);
   t.energy = m.mass->energy;
   t.speed = norm(t.momentum);
-  t.place = t.mass * m.centre;
+  t.place = t.mass * middle_at(m, {m.centre, m.turn});
   t.angular_momentum = m.mass->start_moment;  // to which comes what it has received
-  return t;
 }
 
 /// The sums over this rank's blocks of all bodies, found by all threads: each has sums of its own.
@@ -249,7 +256,7 @@ void add_bodies(const State<Dim>& state, parallel::Team* team, ExactSums& sums) 
   const auto work = [&](int slot, int thread) {
     for (std::size_t m = 0; m < bodies; ++m) {
       const Body<Dim>& body = state.bodies[m];
-      if (!body.rigid && body.present(slot))
+      if (body.present(slot))
         sum_block(state, body, slot, terms[thread], row(static_cast<std::size_t>(thread), m));
     }
   };
@@ -319,10 +326,10 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
   if (world.rank() != 0) return t;
   t.time = state.time;
   for (int m = 0; m < bodies; ++m) {
-    t.bodies.push_back(take_body<Dim>(sums.total(m)));
-    end_at_edges(state.grid(), t.bodies.back());
-    forget_periodic_places(state.grid(), t.bodies.back());
-    if (state.bodies[m].rigid) t.bodies.back() = rigid_totals(*state.bodies[m].rigid);
+    BodyTotals<Dim>& body = t.bodies.emplace_back(take_body<Dim>(sums.total(m)));
+    if (state.bodies[m].rigid) take_rigid(*state.bodies[m].rigid, body);
+    end_at_edges(state.grid(), body);
+    forget_periodic_places(state.grid(), body);
     t.edges.push_back(take_edges<Dim>(sums.total(bodies + m)));
     t.released.push_back(sums.total(bodies + m)[LeftSums<Dim>::released]);
   }

@@ -37,7 +37,7 @@ struct BodyTotals {
 template <int Dim>
 struct Totals {
   double time = 0;                      // s
-  std::vector<BodyTotals<Dim>> bodies;  // zeros for rigid ones that move as prescribed
+  std::vector<BodyTotals<Dim>> bodies;  // of rigid ones that move as prescribed only the extent, else zeros
   std::vector<EdgeAccount<Dim>> edges;  // by body: what has left
   std::vector<double> released;         // by body: energy of detonation [J]
   std::vector<Account<Dim>> pairs;      // by pair_number: received by the lower-numbered body

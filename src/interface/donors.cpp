@@ -14,6 +14,7 @@
 #include "dynamics/primitives.hpp"
 #include "interface/candidates.hpp"
 #include "interface/coefficients.hpp"
+#include "state/beside_contact.hpp"
 #include "state/level_set_view.hpp"
 #include "state/places.hpp"
 
@@ -34,6 +35,11 @@ template <int Dim>
 constexpr double decay_along = Dim == 3 ? 0.35 : 0.15;
 constexpr double end_exponent = 2.84, most_curved = 0.1;
 constexpr double decay_at_rim = 1.2, rim_curved = 0.02;
+// A surface that is bent with a radius of 6.7 dx or more has no corner, one with half of that has.
+constexpr double corner_curved = 0.15;
+// Part of the way from the donors to the surface that a fit does not go at a corner where friction or glue
+// holds: with all of it glued bodies gain energy there (docs/decisions/0076).
+constexpr double lost_at_corner = 0.25;
 constexpr int fit_reach = 7;  // the widest box reaches 6 cells, the surface point lies at most 1 away
 
 /// Where the donors of one fit lie, and how their weights fall with the distance from the surface point.
@@ -73,12 +79,12 @@ double curvature_at(const Window<Dim>& w, const double* phi, int k, double dx) {
   return sum / (dx * std::max(Dim - 1, 1));
 }
 
-/// Where the surface of a body presses on others: the cells that it cuts, by what they touched in the last
-/// step.
+/// Where the surface of a body presses on others, and whether it slides there without friction: the cells
+/// that it cuts, by what they touched in the last step.
 template <int Dim>
 class Rims {
  public:
-  Rims(const Body<Dim>& body, const Window<Dim>& w, Scratch& scratch) : window_(w) {
+  Rims(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w, Scratch& scratch) : window_(w) {
     const auto n = static_cast<std::size_t>(w.size());
     auto* partners = scratch.take<std::uint32_t>(n);
     w.gather([&](int s) { return body.present(s) ? body.at(s).contact.data() : nullptr; }, 0U, Beyond::mirror,
@@ -89,25 +95,27 @@ class Rims {
     w.gather([&](int s) { return body.present(s) ? body.at(s).geometry.kind.data() : nullptr; },
              CellKind::empty, Beyond::extend, kind);
     surface_ = scratch.take<Surface>(n);
+    const std::uint32_t sliding = sliding_partners(state, body);
     for (std::size_t k = 0; k < n; ++k)
-      surface_[k] = kind[k] != CellKind::cut ? Surface::none
-                    : partners[k] != 0       ? Surface::pressed
-                                             : Surface::free;
+      surface_[k] = kind[k] != CellKind::cut       ? Surface::none
+                    : (partners[k] & sliding) != 0 ? Surface::slides
+                    : partners[k] != 0             ? Surface::held
+                                                   : Surface::free;
   }
 
-  /// Whether any part of the surface within the widest reach of a fit from cell i is pressed.
-  bool pressed_near(const Index<Dim>& i) const {
+  /// Whether any part of the surface within the widest reach of a fit from cell i slides along another body.
+  bool slides_near(const Index<Dim>& i) const {
     if (!any_) return false;
     const double reach = std::sqrt(end_exponent / decay_along<Dim>);
     Box<Dim> around{i, i};
     for (int d = 0; d < Dim; ++d) ++around.hi[d];
-    bool pressed = false;
+    bool slides = false;
     for_each(around.grown(static_cast<int>(reach)), [&](const Index<Dim>& j) {
       double square = 0;
       for (int d = 0; d < Dim; ++d) square += (j[d] - i[d]) * (j[d] - i[d]);
-      pressed = pressed || (square <= reach * reach && surface_[window_.at(j)] == Surface::pressed);
+      slides = slides || (square <= reach * reach && surface_[window_.at(j)] == Surface::slides);
     });
-    return pressed;
+    return slides;
   }
 
   /// How much cell i lies at the rim of a contact, 0 to 1: not at all unless both pressed and free parts of
@@ -125,15 +133,39 @@ class Rims {
       for (int d = 0; d < Dim; ++d) square += (j[d] - i[d]) * (j[d] - i[d]);
       if (square > reach * reach) return;
       const int k = window_.at(j);
-      pressed = pressed || surface_[k] == Surface::pressed;
+      pressed = pressed || is_pressed(k);
       if (surface_[k] == Surface::free)
         curvature = std::max(curvature, std::abs(curvature_at(window_, phi, k, dx)));
     });
     return pressed ? std::min(curvature / rim_curved, 1.0) : 0;
   }
 
+  /// How much cell i lies at a corner of the body that touches another one, 0 to 1: some of the cells around
+  /// it are pressed, and by how curved the surface is in one of them.
+  struct Corner {
+    double part = 0;
+    bool held = false;  // by friction or glue
+  };
+  Corner corner(const Index<Dim>& i, const double* phi, double dx) const {
+    if (Dim == 1 || !any_) return {};
+    Box<Dim> around{i, i};
+    for (int d = 0; d < Dim; ++d) ++around.hi[d];
+    bool pressed = false, held = false;
+    double curvature = 0;
+    for_each(around.grown(1), [&](const Index<Dim>& j) {
+      const int k = window_.at(j);
+      pressed = pressed || is_pressed(k);
+      held = held || surface_[k] == Surface::held;
+      if (surface_[k] != Surface::none)
+        curvature = std::max(curvature, std::abs(curvature_at(window_, phi, k, dx)));
+    });
+    return {pressed ? std::clamp(curvature / corner_curved - 1, 0.0, 1.0) : 0, held};
+  }
+
  private:
-  enum class Surface : std::uint8_t { none, free, pressed };
+  enum class Surface : std::uint8_t { none, free, slides, held };
+  bool is_pressed(int k) const { return surface_[k] == Surface::slides || surface_[k] == Surface::held; }
+
   const Window<Dim>& window_;
   Surface* surface_ = nullptr;
   bool any_ = false;
@@ -236,7 +268,7 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
   const Window<Dim> w(state.mesh, slot, fit_reach, b.matter);
   Candidates<Dim> candidates(state, body, w, scratch);
   const double* phi = view_level_set(state.grid(), body, w, &BodyBlock<Dim>::phi, scratch);
-  const Rims<Dim> rims(body, w, scratch);
+  const Rims<Dim> rims(state, body, w, scratch);
   const bool elastic = std::holds_alternative<Elastic>(body.material.strength);
   for (std::size_t m = 0; m < b.walls.size(); ++m) {
     Wall<Dim>& wall = b.walls[m];
@@ -245,15 +277,19 @@ void choose_donors(const State<Dim>& state, Body<Dim>& body, int slot, Counters&
     const Index<Dim> i = w.index_of(cut.cell);
     const double curvature = curvature_at(w, phi, w.at(i), state.grid().dx);
     const double rim = rims.near(i, phi, state.grid().dx);
+    const auto corner = rims.corner(i, phi, state.grid().dx);
+    wall.corner = corner.part;
     for (const int widened : {0, 4, 6})
       if (wall.donors == 0)
         wall.donors = collect(state.grid(), w, cut.point, reach_of<Dim>(cut.surface, curvature, rim, widened),
                               candidates, b.donors);
-    if (wall.donors > 0)
-      find_coefficients(wall, b.donors, unit(cut.surface), elastic && rims.pressed_near(i));
-    else
+    if (wall.donors > 0) {
+      find_coefficients(wall, b.donors, unit(cut.surface), elastic && rims.slides_near(i));
+      if (corner.held) wall.donor_centre *= 1 - lost_at_corner * corner.part;
+    } else {
       ++(is_dust(body, b, static_cast<std::size_t>(cut.cell)) ? counters.cuts_of_dust
                                                               : counters.cuts_without_donor);
+    }
   }
   for (const auto& cell : b.donors.cells)
     require(!state.mesh.is_stand_in(cell.slot), "cells of one size around a surface");

@@ -218,8 +218,11 @@ Primitives<Dim> ghost_value(const Grid<Dim>& grid, const Material& material, con
   const Vec<Dim> own = flipped(n, ghost.flips);
   const auto g = resolve<Dim>(slope_along(wall, own, grid.dx), own);
   const double most_u = wall.velocity_range(), most_s = stress_range(wall);
-  const double du = wall.partners != 0 ? std::clamp(g.velocity * ghost.distance, -most_u, most_u) : 0;
-  const double stress = wall.traction + std::clamp(g.stress * ghost.distance, -most_s, most_s);
+  // Beyond a corner that touches another body the gradients do not go on: what a ghost adds there to the
+  // cells between the two surfaces would grow from step to step (docs/decisions/0076).
+  const double along_normal = (1 - wall.corner) * ghost.distance;
+  const double du = wall.partners != 0 ? std::clamp(g.velocity * along_normal, -most_u, most_u) : 0;
+  const double stress = wall.traction + std::clamp(g.stress * along_normal, -most_s, most_s);
   const auto gas = gas_state(material, v, s, wall.traction, stress);
   const NormalState normal = gas ? *gas : linear_state<Dim>(material, v, s, wall.traction, stress);
   // Beyond the free surface of products is nothing, and no density that theirs would have to reach.

@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "config/declare/write.hpp"
 #include "material/library.hpp"
 #include "material/model_keys.hpp"
 
@@ -13,21 +14,13 @@ namespace {
 
 using namespace model_keys;
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "\"";
-}
-
 template <class Model>
 std::string lines_of(const Model& model, const std::string& below = {}) {
   std::string text;
   // A file is kept beside what is written.
   if constexpr (requires { model.path; })
-    text += below + "file = " + quoted(std::filesystem::path(model.file).filename().string()) + "\n";
+    text += below + "file = " + config::written_text(std::filesystem::path(model.file).filename().string()) +
+            "\n";
   for (const auto& p : Model::parameters()) {
     const double value = model.*p.member;
     if (!std::isnan(value)) text += below + p.name + " = " + written(p, value) + "\n";
@@ -60,10 +53,11 @@ Melting own_melting(const Material& m) {
 std::string to_toml(const Material& m, const std::string& table) {
   const std::string prefix = table.empty() ? "" : table + ".";
   std::string text = table.empty() ? "" : "[" + table + "]\n";
-  text += "title = " + quoted(m.title) + "\ncite = [";
-  for (std::size_t i = 0; i < m.cite.size(); ++i) text += (i > 0 ? ", " : "") + quoted(m.cite[i]);
+  text += "title = " + config::written_text(m.title) + "\ncite = [";
+  for (std::size_t i = 0; i < m.cite.size(); ++i)
+    text += (i > 0 ? ", " : "") + config::written_text(m.cite[i]);
   text += "]\n";
-  if (!m.doubt.empty()) text += "doubt = " + quoted(m.doubt) + "\n";
+  if (!m.doubt.empty()) text += "doubt = " + config::written_text(m.doubt) + "\n";
   text += "\n[" + prefix + "eos]\n" + model_lines(m.eos);
   text += "\n[" + prefix + "strength]\n" + model_lines(m.strength);
   if (can_fail(m.damage)) {

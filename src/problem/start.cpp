@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,18 +16,14 @@
 #include "core/error.hpp"
 #include "levelset/transport.hpp"
 #include "material/starting_state.hpp"
+#include "problem/rigid_start.hpp"
 #include "problem/shape.hpp"
 
 namespace recoil {
 
 namespace {
 
-template <int Dim>
-Vec<Dim> first_components(const config::Vector& v) {
-  Vec<Dim> x;
-  for (int d = 0; d < Dim; ++d) x[d] = v[d];
-  return x;
-}
+using config::first_components;
 
 Edge edge_of(config::Boundary b) {
   switch (b) {
@@ -143,38 +138,6 @@ ContactLaw contact_law(const config::ContactChoice& choice) {
           choice.friction};
 }
 
-/// A free body must be modelled whole: half of one would be pushed off its plane of symmetry.
-template <int Dim>
-void check_whole(const Grid<Dim>& grid, const std::string& name,
-                 const std::function<double(const Vec<Dim>&)>& distance) {
-  for (int d = 0; d < Dim; ++d)
-    for (int side = 0; side < 2; ++side) {
-      if (grid.edge[d][side] != Edge::reflect) continue;
-      if (grid.axisymmetric && d == 0 && side == 0) continue;
-      Box<Dim> layer = grid.domain();
-      (side == 0 ? layer.hi : layer.lo)[d] = side == 0 ? layer.lo[d] + 1 : layer.hi[d] - 1;
-      for_each(layer, [&](const Index<Dim>& i) {
-        if (distance(grid.centre(i)) < -0.5 * grid.dx)
-          throw InputError(
-              fmt::format("error: the free rigid body '{}' is cut by a plane of symmetry, axis {}\n"
-                          "   = help: model it whole, or take out its mass: then it keeps its velocity",
-                          name, d));
-      });
-    }
-}
-
-template <int Dim>
-RigidMotion<Dim> rigid_motion(const Grid<Dim>& grid, const config::Body& from,
-                              const std::function<double(const Vec<Dim>&)>& distance) {
-  RigidMotion<Dim> m = prescribed_motion<Dim>(from, distance);
-  if (!(from.mass > 0)) return m;
-  check_whole(grid, from.name, distance);
-  Vec<3> inertia;
-  for (int d = 0; d < 3; ++d) inertia[d] = from.inertia[d];
-  set_free(m, from.mass / (grid.axisymmetric ? 2 * std::numbers::pi : 1), inertia);
-  return m;
-}
-
 /// None where the body is not lit. What it is made of has been checked (app/check).
 template <int Dim>
 std::optional<DetonationFront<Dim>> detonation_front(const config::Body& from, const Material& material) {
@@ -284,24 +247,6 @@ Grid<Dim> make_grid(const config::Case& c) {
 }
 
 template <int Dim>
-RigidMotion<Dim> prescribed_motion(const config::Body& body,
-                                   const std::function<double(const Vec<Dim>&)>& distance) {
-  RigidMotion<Dim> m;
-  m.distance = distance;
-  set_moving(m, first_components<Dim>(body.velocity), first_components<3>(body.spin));
-  if (!body.velocity_history.empty()) {
-    m.history.emplace();
-    for (const config::TimedVelocity& t : body.velocity_history) {
-      m.history->times.push_back(t.time);
-      m.history->velocities.push_back(first_components<Dim>(t.velocity));
-    }
-    m.velocity = m.mean_velocity = m.history->at(0);
-  }
-  m.start_centre = m.centre = first_components<Dim>(body.spin_centre);
-  return m;
-}
-
-template <int Dim>
 std::vector<double> cells_at_start(const config::Case& c) {
   const Grid<Dim> grid = make_grid<Dim>(c);
   std::vector<std::function<double(const Vec<Dim>&)>> distance;
@@ -355,7 +300,11 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
     body.name = c.bodies[m].name;
     body.blocks.resize(static_cast<std::size_t>(state.mesh.slots()));
     if (c.bodies[m].rigid) {
-      body.rigid = rigid_motion(grid, c.bodies[m], distance[m]);
+      body.rigid = rigid_motion<Dim>(c.bodies[m], c, grid);
+      if (body.rigid->period != Vec<Dim>{})  // with its images across the edges
+        distance[m] = [rigid = *body.rigid](const Vec<Dim>& x) {
+          return distance_at(rigid, pose_after(rigid, 0), x);
+        };
     } else {
       body.material = materials[m];
       body.temperature = temperature_law(body.material);
@@ -381,12 +330,10 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
   return state;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                    \
-  template Grid<Dim> make_grid<Dim>(const config::Case&);                                          \
-  template std::vector<double> cells_at_start<Dim>(const config::Case&);                           \
-  template RigidMotion<Dim> prescribed_motion<Dim>(const config::Body&,                            \
-                                                   const std::function<double(const Vec<Dim>&)>&); \
-  template State<Dim> make_state<Dim>(const config::Case&, const std::vector<Material>&,           \
+#define RECOIL_INSTANTIATE(Dim)                                                          \
+  template Grid<Dim> make_grid<Dim>(const config::Case&);                                \
+  template std::vector<double> cells_at_start<Dim>(const config::Case&);                 \
+  template State<Dim> make_state<Dim>(const config::Case&, const std::vector<Material>&, \
                                       const parallel::World&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "config/case.hpp"
@@ -17,12 +16,6 @@ Grid<Dim> make_grid(const config::Case& c);
 /// blocks that are cut because a neighbour is much finer.
 template <int Dim>
 std::vector<double> cells_at_start(const config::Case& c);
-
-/// How a rigid body moves at t = 0, without a mass: with its velocity and spin, or by its history.
-/// @param distance signed distance [m] of its shape.
-template <int Dim>
-RigidMotion<Dim> prescribed_motion(const config::Body& body,
-                                   const std::function<double(const Vec<Dim>&)>& distance);
 
 /// The picture at t = 0: level sets from the shapes, volumes by fine sub-sampling, matter at rest density and
 /// zero pressure with the body's velocity and spin.

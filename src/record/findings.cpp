@@ -3,11 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <limits>
+#include <variant>
 
+#include "config/expected_columns.hpp"
+#include "config/geometry.hpp"
 #include "core/error.hpp"
+#include "gauge/column_list.hpp"
+#include "state/body.hpp"
 
 namespace recoil {
 
@@ -71,6 +78,70 @@ void add_failures(Quantities& q, const std::vector<std::string>& names, const st
   }
 }
 
+/// The unit that files have a number in.
+std::string unit_of_number(const std::string& name, const RunUnits& u) {
+  const std::size_t group = name.find('.');
+  const std::string what = name.substr(std::min(name.find('.', group + 1), name.size() - 1) + 1);
+  if (name.starts_with("contact.")) return what == "restitution" ? "1" : "us";
+  if (name.starts_with("failure.")) return what == "time" ? "us" : "mm";
+  if (name.starts_with("fragments.")) return name.ends_with("mass") ? u.mass : what == "pieces" ? "1" : "m/s";
+  if (!name.starts_with("body.")) return "1";
+  const std::string quantity = what.substr(0, what.find('.'));
+  const std::array<std::pair<const char*, std::string>, 12> units{{{"mass", u.mass},
+                                                                   {"failed-mass", u.mass},
+                                                                   {"kinetic", u.energy},
+                                                                   {"internal", u.energy},
+                                                                   {"energy", u.energy},
+                                                                   {"volume", u.volume},
+                                                                   {"momentum", u.momentum},
+                                                                   {"angular-momentum", u.angular_momentum},
+                                                                   {"velocity", "m/s"},
+                                                                   {"position", "mm"},
+                                                                   {"lowest", "mm"},
+                                                                   {"highest", "mm"}}};
+  for (const auto& [known, unit] : units)
+    if (quantity == known) return unit;
+  return "1";
+}
+
+void add_units(Quantities& q, const RunUnits& units) {
+  for (const auto& [name, value] : q.numbers) q.units[name] = unit_of_number(name, units);
+}
+
+/// A record of a gauge without entries.
+TimeSeries empty_record(const config::Gauge& gauge, const RunUnits& units) {
+  TimeSeries record;
+  record.name = gauge.name;
+  record.columns = column_list(config::written_columns(gauge), units);
+  record.values.resize(record.columns.size());
+  if (std::holds_alternative<config::PeakStressGauge>(gauge.kind)) record.over = {"distance", "mm", 1e3};
+  return record;
+}
+
+template <int Dim>
+Quantities known_in(const config::Case& c) {
+  const RunUnits units = run_units(c.domain.geometry);
+  std::vector<std::string> names;
+  std::vector<bool> prescribed, rigid;
+  for (const config::Body& body : c.bodies) {
+    names.push_back(body.name);
+    rigid.push_back(body.rigid);
+    prescribed.push_back(body.rigid && !(body.mass > 0));
+  }
+  Totals<Dim> totals;
+  totals.bodies.resize(names.size());
+  std::vector<std::pair<std::string, std::int64_t>> floors{{"unstable-steps", 0}};
+  Counters none;
+  for (const auto& [name, count] : none.list()) floors.emplace_back(name, 0);
+  Quantities q = find_quantities(totals, names, prescribed, units,
+                                 BudgetWatch<Dim>(names, prescribed, units.balanced).worst(),
+                                 without_events(names, c.domain.geometry), floors, 0);
+  add_fragments(q, FragmentTable<Dim>(names, rigid, units).last(), units);
+  for (const config::Gauge& gauge : c.gauges) q.gauges.push_back(empty_record(gauge, units));
+  q.folder = std::filesystem::path(c.file).parent_path();
+  return q;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -106,6 +177,7 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
   q.numbers["run.steps"] = static_cast<double>(steps);
   add_contacts(q, events);
   add_failures(q, names, rigid, units, events);
+  add_units(q, units);
   return q;
 }
 
@@ -123,6 +195,24 @@ void add_fragments(Quantities& q, const std::vector<BodyFragments>& fragments, c
       if (p.velocity.size() == 1) q.numbers[piece + ".velocity"] = p.velocity[0];
     }
   }
+  add_units(q, units);
+}
+
+EventWatch without_events(const std::vector<std::string>& names, config::Geometry geometry) {
+  ContactRule rule;
+  rule.hold.assign(names.size() * (names.size() - 1) / 2, 0);
+  return {names, geometry, rule};
+}
+
+Quantities known_quantities(const config::Case& c) {
+  switch (config::dimension(c.domain.geometry)) {
+    case 1:
+      return known_in<1>(c);
+    case 2:
+      return known_in<2>(c);
+    default:
+      return known_in<3>(c);
+  }
 }
 
 std::vector<GaugeSummary> summarise(const std::vector<TimeSeries>& gauges) {
@@ -136,15 +226,20 @@ std::vector<GaugeSummary> summarise(const std::vector<TimeSeries>& gauges) {
   return all;
 }
 
-void check_known(const Quantities& quantities, const std::vector<config::Expectation>& expect) {
+void check_known(const Quantities& quantities, const std::vector<config::Expectation>& expect,
+                 config::Diagnostics& out) {
   for (const config::Expectation& e : expect) try {
       measure(quantities, e.quantity, e.is_flag);
+      if (!e.is_flag) config::check_dimension(e, unit_of(quantities, e.quantity), out);
     } catch (const InputError& error) {
-      std::string text = error.what();
-      const std::string where = fmt::format("\n  --> {}:{}:{}", e.place.file, e.place.line, e.place.column);
-      text.insert(std::min(text.size(), text.find("\n   = help")), where);
-      throw InputError(text);
+      out.error(e.place, error);
     }
+}
+
+void check_known(const Quantities& quantities, const std::vector<config::Expectation>& expect) {
+  config::Diagnostics found;
+  check_known(quantities, expect, found);
+  found.throw_if_errors();
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                 \

@@ -33,11 +33,21 @@ Quantities find_quantities(const Totals<Dim>& totals, const std::vector<std::str
 void add_fragments(Quantities& quantities, const std::vector<BodyFragments>& fragments,
                    const RunUnits& units);
 
+/// The events of a run in which nothing has happened.
+EventWatch without_events(const std::vector<std::string>& names, config::Geometry geometry);
+
+/// All that a run of this case will be able to tell: the names with their units, and records without entries.
+Quantities known_quantities(const config::Case& c);
+
 /// The main columns of all gauges in short.
 std::vector<GaugeSummary> summarise(const std::vector<TimeSeries>& gauges);
 
-/// Throws where an expectation names something that this run cannot give, before time is spent on it.
-/// @throws InputError naming file and line.
+/// Reports expectations that name something that a run cannot give, or compare it with a value of another
+/// dimension, before time is spent on it.
+/// @param quantities those of the run so far, or known_quantities().
+void check_known(const Quantities& quantities, const std::vector<config::Expectation>& expect,
+                 config::Diagnostics& out);
+/// The same. @throws InputError naming file and line.
 void check_known(const Quantities& quantities, const std::vector<config::Expectation>& expect);
 
 }  // namespace recoil

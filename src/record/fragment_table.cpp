@@ -1,8 +1,10 @@
 #include "record/fragment_table.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/nothing.hpp"
+#include "record/resumed_table.hpp"
 
 namespace recoil {
 
@@ -43,7 +45,12 @@ void FragmentTable<Dim>::open(const std::filesystem::path& path, CsvMode mode, d
   add_vector("highest", "mm");
   add("diameter", "mm");
   columns.emplace_back("cells");
-  if (mode == CsvMode::append && std::filesystem::exists(path)) truncate_csv(path, last * 1e6);
+  if (mode == CsvMode::append) {
+    const bool told =
+        std::ranges::any_of(last_, [](const BodyFragments& b) { return b.pieces > 0 || b.heaps > 0; });
+    if (told) cut_back(path, last);
+    if (!told && std::filesystem::exists(path)) truncate_csv(path, last * 1e6);
+  }
   file_.emplace(path, columns, std::vector<std::string>{}, mode);
 }
 

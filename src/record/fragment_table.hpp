@@ -45,7 +45,8 @@ template <int Dim>
 class FragmentTable {
  public:
   FragmentTable(std::vector<std::string> names, std::vector<bool> rigid, const RunUnits& units);
-  /// Opens the file. @param last when appending: later times are taken out [s]. @throws EnvironmentError.
+  /// Opens the file. @param last when appending: later times are taken out [s]. @throws InputError where rows
+  /// of that time are missing; EnvironmentError.
   void open(const std::filesystem::path& path, CsvMode mode, double last);
   /// Adds the fragments of a time [s].
   void write(const Fragments<Dim>& fragments, double time);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <utility>
 
 #include "config/expected_columns.hpp"
 #include "config/units.hpp"
@@ -18,11 +20,24 @@ namespace recoil {
 
 namespace {
 
+/// Those of the names that begin like a word: with as many of its parts as some name has.
+std::vector<std::string> names_like(const std::string& word, const std::vector<std::string>& names) {
+  std::vector<std::string> found;
+  for (std::size_t dot = word.rfind('.'); dot != std::string::npos && dot > 0;
+       dot = word.rfind('.', dot - 1)) {
+    for (const std::string& name : names)
+      if (name.starts_with(word.substr(0, dot + 1))) found.push_back(name);
+    if (!found.empty()) return found;
+  }
+  return names;
+}
+
 [[noreturn]] void unknown(const std::string& quantity, const std::string& what, const std::string& word,
                           const std::vector<std::string>& known) {
   const std::string near = did_you_mean(word, known);
-  throw InputError(fmt::format("error: the quantity '{}': {}\n   = help: {}", quantity, what,
-                               !near.empty() ? near : fmt::format("known are: {}", fmt::join(known, ", "))));
+  throw InputError(fmt::format(
+      "error: the quantity '{}': {}\n   = help: {}", quantity, what,
+      !near.empty() ? near : fmt::format("known are: {}", fmt::join(names_like(word, known), ", "))));
 }
 
 double number_of(const std::string& quantity, const std::string& text, const std::string& si_unit) {
@@ -53,7 +68,7 @@ Request parse_request(const std::string& quantity) {
   r.column = name.substr(dot + 1);
   const std::size_t last = r.column.rfind('.');
   const std::string tail = last == std::string::npos ? "" : r.column.substr(last + 1);
-  if (config::find_reduction(tail)) {
+  if (config::is_reduction(tail)) {
     r.reduction = tail;
     r.column.erase(last);
   } else if (at != std::string::npos) {
@@ -87,7 +102,9 @@ Window parse_window(const Request& r, const std::string& text, const SeriesColum
   const Window w{number_of(r.quantity, text.substr(0, dots), unit),
                  number_of(r.quantity, text.substr(dots + 2), unit)};
   if (!(w.to > w.from))
-    throw InputError(fmt::format("error: the quantity '{}': the span of {} is empty", r.quantity, over.name));
+    throw InputError(fmt::format(
+        "error: the quantity '{}': the span of {} is empty\n   = help: its smaller end comes first: FROM..TO",
+        r.quantity, over.name));
   return w;
 }
 
@@ -168,11 +185,43 @@ double measure_gauge(const Quantities& q, const std::string& name) {
   unknown(name, fmt::format("there is no gauge '{}'", r.gauge), r.gauge, names);
 }
 
-template <class Map>
-std::vector<std::string> keys_of(const Map& map) {
-  std::vector<std::string> keys;
-  for (const auto& [key, value] : map) keys.push_back(key);
-  return keys;
+/// The gauge and the column that a quantity speaks of; a column past the end: it names none.
+std::pair<const TimeSeries*, std::size_t> column_named_in(const Quantities& q, const std::string& quantity) {
+  for (const TimeSeries& s : q.gauges) {
+    const std::string begin = "gauge." + s.name + ".";
+    if (!quantity.starts_with(begin)) continue;
+    std::string column = quantity.substr(begin.size(), quantity.find('@') - begin.size());
+    if (s.find(column) == s.columns.size()) column = column.substr(0, column.rfind('.'));
+    return {&s, s.find(column)};
+  }
+  return {nullptr, 0};
+}
+
+/// `mm` over `us` is `mm/us`, `m/s` over it `m/(s us)`.
+std::string unit_of_slope(const std::string& unit, const std::string& over) {
+  const std::size_t bar = unit.find('/');
+  if (bar == std::string::npos) return unit + "/" + over;
+  std::string below = unit.substr(bar + 1);
+  if (below.starts_with('(')) below = below.substr(1, below.size() - 2);
+  return unit.substr(0, bar) + "/(" + below + " " + over + ")";
+}
+
+/// Says why a name is none of a number, or of a flag.
+[[noreturn]] void refuse_name(const Quantities& q, const std::string& name, bool as_flag) {
+  if (as_flag && q.numbers.contains(name))
+    throw InputError(
+        fmt::format("error: the quantity '{}' is a number, not true or false\n   = help: expect a value "
+                    "with a tolerance, or a limit, e.g. {{ at-most = 1 }}",
+                    name));
+  if (!as_flag && q.flags.contains(name))
+    throw InputError(
+        fmt::format("error: the quantity '{}' is true or false, not a number\n   = help: expect true or "
+                    "false of it",
+                    name));
+  std::set<std::string> known;
+  for (const auto& [key, value] : q.numbers) known.insert(key);
+  for (const auto& [key, value] : q.flags) known.insert(key);
+  unknown(name, "no run of this case has such a result", name, {known.begin(), known.end()});
 }
 
 }  // namespace
@@ -197,7 +246,7 @@ Measured measure(const Quantities& q, const std::string& name, bool as_flag) {
   m.is_flag = as_flag;
   if (as_flag) {
     const auto found = q.flags.find(name);
-    if (found == q.flags.end()) unknown(name, "there is no flag of this name", name, keys_of(q.flags));
+    if (found == q.flags.end()) refuse_name(q, name, as_flag);
     m.flag = found->second;
     m.value = m.flag ? 1 : 0;
     return m;
@@ -208,10 +257,22 @@ Measured measure(const Quantities& q, const std::string& name, bool as_flag) {
     return m;
   }
   const auto found = q.numbers.find(name);
-  if (found == q.numbers.end()) unknown(name, "there is no number of this name", name, keys_of(q.numbers));
+  if (found == q.numbers.end()) refuse_name(q, name, as_flag);
   m.value = found->second;
   if (std::isnan(m.value)) m.problem = "it did not happen";
   return m;
+}
+
+std::string unit_of(const Quantities& q, const std::string& quantity) {
+  if (const auto [series, column] = column_named_in(q, quantity); series) {
+    const std::string name = quantity.substr(0, quantity.find('@'));
+    const bool over = name.ends_with(".arrival") || name.ends_with(".until");
+    if (over || column == series->columns.size()) return series->over.unit;
+    const std::string& unit = series->columns[column].unit;
+    return name.ends_with(".slope") ? unit_of_slope(unit, series->over.unit) : unit;
+  }
+  const auto at = q.units.find(quantity);
+  return at == q.units.end() ? "1" : at->second;
 }
 
 CheckResult check(const Quantities& q, const config::Expectation& e) {

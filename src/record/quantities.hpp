@@ -30,6 +30,7 @@ namespace recoil {
 struct Quantities {
   std::map<std::string, double> numbers;
   std::map<std::string, bool> flags;
+  std::map<std::string, std::string> units;  ///< of `numbers`, in which files have them: "us", "kg/m2", "1"
   std::vector<TimeSeries> gauges;
   std::filesystem::path folder;  ///< of the case, where reference curves lie
 };
@@ -46,6 +47,9 @@ struct Measured {
 /// @throws InputError for a name that this run does not have (with the nearest ones) or a reference that
 /// cannot be read.
 Measured measure(const Quantities& quantities, const std::string& name, bool as_flag = false);
+
+/// The unit in which a quantity is shown: "us", "GPa"; "1" of a plain number or a flag.
+std::string unit_of(const Quantities& quantities, const std::string& name);
 
 /// The record that a quantity gauge.NAME.COLUMN... is read from, and the curve that
 /// gauge.NAME.COLUMN.error@FROM..TO:FILE:COLUMN compares it with.

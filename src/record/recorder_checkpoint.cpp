@@ -1,4 +1,5 @@
 #include "record/recorder_parts.hpp"
+#include "record/resumed_table.hpp"
 
 /// The part of a Recorder that checkpoints keep.
 namespace recoil {
@@ -47,7 +48,7 @@ void Recorder<Dim>::resume(const State<Dim>& state, parallel::Unpacker& from) {
           p.fragments);
   p.history_due.go_on(history_before);
   p.fields_due.go_on(fields_before);
-  if (p.first()) truncate_csv(p.directory / "history.csv", p.history_last * 1e6);
+  if (p.first()) cut_back(p.directory / "history.csv", p.history_last);
   p.open_tables(CsvMode::append);
   if (p.first()) p.save_status(state, "running");
 }

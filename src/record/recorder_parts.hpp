@@ -346,6 +346,7 @@ struct Recorder<Dim>::Parts {
         if (body.name == b.name)
           b.thickness = config::thickness(body.shape, case_.domain) / case_.mesh.finest;
     e.budgets = budget.worst();
+    e.converted = budget.converted();
     e.centres = centre.worst(), e.cell = case_.mesh.finest;
     return e;
   }

@@ -107,7 +107,6 @@ template <int Dim>
 void StateSurvey<Dim>::merge(Line& into, const Line& more) {
   into.cells += more.cells;
   into.cell_steps += more.cell_steps;  // whole numbers
-  into.heat += more.heat;
   for (std::size_t k = 0; k < state_checks; ++k) merge(into.found[k], more.found[k]);
   into.averaged += more.averaged;
   into.averaged_first = std::min(into.averaged_first, more.averaged_first);
@@ -157,13 +156,13 @@ void StateSurvey<Dim>::look_at_cell(const Look& look, int m, const Index<Dim>& c
       bounds_[m].start * (by_energy ? law.on_isentrope(solid) : law.thermal().initial_temperature);
   const double rho0 = density(body.material);
   if (!body.detonation) {  // temperatures of products are not known
-    const double heating = p.unmelted - coldest, cells = b.contents[k] / (rho0 * full);
-    if (heating > 0) line.heat += look.steps * cells * heating;
+    const double heating = p.unmelted - coldest,
+                 capacity = b.contents[k] * law.thermal().specific_heat;  // J/K
     // Errors of a gas are a part of its temperature, whatever that is.
     const double hotter =
         is_gas(body.material.eos) ? std::max(1.0, coldest / law.thermal().initial_temperature) : 1;
     found(StateCheck::negative_heat,
-          {-(by_energy ? hotter * bounds_[m].noise : no_heat) - heating, heating, 0, -heating * cells});
+          {-(by_energy ? hotter * bounds_[m].noise : no_heat) - heating, heating, 0, -heating * capacity});
   }
   if (fill < whole_fill) return;
   const DensityRange range = density_range(body.material.eos);
@@ -291,7 +290,6 @@ std::vector<BodyEvidence> StateSurvey<Dim>::told(const State<Dim>& state,
     e.name = state.bodies[m].name;
     e.by_energy = state.bodies[m].material.thermal.rule == Thermal::Rule::energy;
     e.cell_steps = e.looked_at = line.cell_steps;
-    e.heat = line.heat.value();
     e.averaged = line.averaged;
     e.averaged_first = line.averaged_first, e.averaged_last = line.averaged_last;
     e.averaged_place = line.averaged_place;

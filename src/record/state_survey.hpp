@@ -67,7 +67,6 @@ class StateSurvey {
   struct Line {
     std::int64_t cells = 0;  // of the last look
     double cell_steps = 0;
-    ExactSum heat;  // BodyEvidence::heat
     std::array<Finding, state_checks> found;
     std::int64_t averaged = 0;
     double averaged_first = std::numeric_limits<double>::infinity(), averaged_last = -1;

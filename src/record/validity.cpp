@@ -44,7 +44,7 @@ constexpr std::array counter_limits{
                  "negative plastic strains or heatings were set to zero"}};
 
 /// What a finding about states is called, how a value of it is written, and what limits it.
-enum class PartOf : std::uint8_t { states, matter, heat };
+enum class PartOf : std::uint8_t { states, matter, energy };
 struct StateText {
   const char *name, *text, *unit;
   double factor;
@@ -57,8 +57,7 @@ constexpr std::array<StateText, state_checks> state_texts{
      {"melting", "were hotter by their energy than the melting temperature, which the strength does not feel",
       "K", 1, &L::melting},
      {"negative-plastic-strain", "had a plastic strain below zero", "", 1, &L::negative_plastic_strain},
-     {"negative-heating", "was missing in states colder than at the start", "K", 1, &L::negative_heating,
-      PartOf::heat},
+     {"negative-heating", "colder than at the start", "K", 1, &L::negative_heating, PartOf::energy},
      {"overfilled-cells", "had no room in its cells", "cells", 1, &L::overfilled_cells, PartOf::matter},
      {"molten", "were molten, and without strength", "K", 1, nullptr}}};
 
@@ -80,7 +79,7 @@ constexpr std::array cures{
     Cure{"unstable-steps-stop", unstable_cure}};
 
 constexpr double small_part_of_way = 0.01;  // by which a centre of mass may be off on a long way
-constexpr double told_part = 1e-5;          // of matter or heat: less is not told
+constexpr double told_part = 1e-5;          // of matter or energy: less is not told
 
 std::string percent(double part) { return fmt::format("{:.{}g} %", 100 * part, part >= 0.995 ? 3 : 2); }
 
@@ -181,8 +180,8 @@ void judge_budgets(const Evidence& e, const config::Limits& limits, Verdict& v) 
   for (const Drift& d : e.budgets)
     for (const auto& [name, error] :
          {std::pair{"mass", d.mass}, {"momentum", d.momentum}, {"energy", d.energy}}) {
-      if (error <= limits.budget) continue;  // NaN is no closed budget
-      const bool stops = !(error <= limits.budget_stop);
+      const bool stops = !(error <= limits.budget_stop);  // NaN is no closed budget
+      if (error <= limits.budget && !stops) continue;
       v.reasons.push_back({stops ? "budget-stop" : "budget",
                            d.name == "total" ? "" : d.name,
                            fmt::format("the {} of {} is off by {:.1e}, the limit is {:.1e}", name,
@@ -218,24 +217,18 @@ void judge_centres(const Evidence& e, const config::Limits& limits, Verdict& v) 
 }
 
 const char* text_of(StateCheck check, const BodyEvidence& b) {
-  if (check == StateCheck::negative_heat && b.by_energy)
-    return "was missing in states colder than the isentrope through the start";
+  if (check == StateCheck::negative_heat && b.by_energy) return "colder than the isentrope through the start";
   return state_texts[static_cast<std::size_t>(check)].text;
 }
 
-const char* text_of(PartOf of) {
-  constexpr std::array texts{"cell states", "matter", "heat"};
-  return texts[static_cast<std::size_t>(of)];
-}
-
-double part_of(const BodyEvidence& b, const StateFinding& f, PartOf of) {
+double part_of(const Evidence& e, const BodyEvidence& b, const StateFinding& f, PartOf of) {
   switch (of) {
     case PartOf::states:
       return part_of(static_cast<double>(f.count), b.looked_at);
     case PartOf::matter:
       return part_of(f.amount, b.looked_at);
-    case PartOf::heat:
-      return part_of(f.amount, b.heat);
+    case PartOf::energy:  // on average over the steps
+      return part_of(f.amount, e.converted * static_cast<double>(e.steps));
   }
   return 0;
 }
@@ -245,10 +238,16 @@ std::string text_of(const Evidence& e, const BodyEvidence& b, StateCheck check, 
   const auto k = static_cast<std::size_t>(check);
   const StateFinding& f = b.states[k];
   const StateText& t = state_texts[k];
-  return fmt::format("{} of the {} of {} {} ({}, {}; worst {:.4g}{}{} at {}, {:.4g} us)", percent(part),
-                     text_of(t.of), b.name, text_of(check, b), t.name, span_text(f.first, f.last),
-                     f.worst * t.factor, *t.unit != 0 ? " " : "", t.unit, place_text(f.place, e.dimensions),
-                     f.worst_time * 1e6);
+  const std::string where = fmt::format(
+      "({}, {}; worst {:.4g}{}{} at {}, {:.4g} us)", t.name, span_text(f.first, f.last), f.worst * t.factor,
+      *t.unit != 0 ? " " : "", t.unit, place_text(f.place, e.dimensions), f.worst_time * 1e6);
+  if (t.of == PartOf::energy)
+    return fmt::format(
+        "{} had states {}: the heat that they lack is {} of the internal energy that all bodies "
+        "took up {}",
+        b.name, text_of(check, b), percent(part), where);
+  return fmt::format("{} of the {} of {} {} {}", percent(part),
+                     t.of == PartOf::matter ? "matter" : "cell states", b.name, text_of(check, b), where);
 }
 
 void judge_states(const Evidence& e, const config::Limits& limits, Verdict& v) {
@@ -256,7 +255,7 @@ void judge_states(const Evidence& e, const config::Limits& limits, Verdict& v) {
     for (std::size_t k = 0; k < state_checks; ++k) {
       const StateFinding& f = b.states[k];
       const StateText& t = state_texts[k];
-      const double part = part_of(b, f, t.of), limit = t.limit != nullptr ? limits.*t.limit : 0;
+      const double part = part_of(e, b, f, t.of), limit = t.limit != nullptr ? limits.*t.limit : 0;
       // Single states that weigh little are told where they are.
       const bool told = t.of != PartOf::states && part > told_part;
       if (!(part > limit) && !told) continue;

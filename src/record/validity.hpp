@@ -30,8 +30,8 @@ const char* name_of(StateCheck check);
 
 /// States of one body beyond one bound.
 struct StateFinding {
-  std::int64_t count = 0;         ///< cell states, of those looked at
-  double amount = 0;              ///< overfilled: cells of matter without room; negative heat: as `heat`
+  std::int64_t count = 0;  ///< cell states, of those looked at
+  double amount = 0;       ///< over the steps: cells of matter without room, or J of heat that are missing
   double first = 0, last = 0;     ///< s
   double worst = 0;               ///< the state farthest beyond, SI
   double bound = 0;               ///< what it is beyond, SI
@@ -44,7 +44,6 @@ struct BodyEvidence {
   std::string name;
   double cell_steps = 0;  ///< cells with matter, summed over the steps
   double looked_at = 0;   ///< those whose states were looked at
-  double heat = 0;        ///< K above what negative heat is below, times full cells of matter at rest
   std::int64_t averaged = 0;
   double averaged_first = 0, averaged_last = 0;  ///< s
   std::array<double, 3> averaged_place{};        ///< of the last one, m
@@ -62,6 +61,7 @@ struct Evidence {
   std::vector<Drift> budgets;
   std::vector<CentreOff> centres;
   double cell = 0;                             ///< width of the finest [m]
+  double converted = 0;                        ///< J, BudgetWatch::converted()
   std::int64_t recent_averaged = 0;            ///< in the last 100 steps
   double recent_cell_steps = 0;                ///< of 100 steps with the present cells
   std::int64_t steps = 0, unstable_steps = 0;  ///< the latter longer than a stable one

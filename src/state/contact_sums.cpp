@@ -17,6 +17,13 @@ void start_stage(PairRecord<Dim>& p) {
   p.moment = moment;
 }
 
+/// Where a contact acts: on a rigid body that has moved across an edge of a period, where that is now.
+template <int Dim>
+Vec<Dim> place_of(const State<Dim>& state, const Contact<Dim>& c) {
+  const auto& rigid = state.bodies[c.second].rigid;
+  return rigid ? nearest_image(*rigid, {rigid->centre, rigid->turn}, c.point) : c.point;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -29,7 +36,7 @@ void book_contacts(State<Dim>& state, int slot, double booked) {
     PairRecord<Dim>& r =
         pairs[pair_number(std::min(c.first, c.second), std::max(c.first, c.second), state.count())];
     const Vec<Dim> force = force_on_lower(c);
-    const Vec<3> moment = cross(c.point, force);
+    const Vec<3> moment = cross(place_of(state, c), force);
     r.moment += booked * moment;
     r.exchanged.momentum += booked * force;
     r.force += force;

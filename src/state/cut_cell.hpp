@@ -47,6 +47,7 @@ struct Wall {
   // the fit's part of Donors::parts; fixed for a step
   int first_donor = 0, donors = 0;
   Vec<Dim> donor_centre;  // weighted mean of the donors' places from x_I, in dx
+  double corner = 0;      // 0 to 1: how much it lies at a corner of the body that touches another one
   // the fit of this stage
   Primitives<Dim> value{};  // at x_I
   Primitives<Dim> range{};  // largest minus smallest value of the donors; extra: of S_zz in 3-D

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+
+#include "core/index.hpp"
 
 namespace recoil {
 
@@ -56,11 +59,38 @@ Vec<3> moment_of(const Rotation& turn, const Vec<3>& inertia, const Vec<3>& spin
   return times(turn, own);
 }
 
+/// Signed distance [m] of x from the body in a pose, without its images.
+template <int Dim>
+double distance_of_one(const RigidMotion<Dim>& m, const RigidPose<Dim>& pose, const Vec<Dim>& x) {
+  return m.distance(m.start_centre + within<Dim>(times_transposed(pose.turn, in_space(x - pose.centre))));
+}
+
+template <int Dim>
+RigidPose<Dim> pose_now(const RigidMotion<Dim>& m) {
+  return {m.centre, m.turn};
+}
+
 }  // namespace
 
 template <int Dim>
+Vec<Dim> middle_at(const RigidMotion<Dim>& m, const RigidPose<Dim>& pose) {
+  return pose.centre + within<Dim>(times(pose.turn, in_space(m.start_middle - m.start_centre)));
+}
+
+template <int Dim>
+Vec<Dim> nearest_image(const RigidMotion<Dim>& m, const RigidPose<Dim>& pose, const Vec<Dim>& x) {
+  if (m.period == Vec<Dim>{}) return x;
+  const Vec<Dim> middle = middle_at(m, pose);
+  Vec<Dim> image = x;
+  for (int d = 0; d < Dim; ++d)
+    if (m.period[d] > 0) image[d] -= m.period[d] * std::round((x[d] - middle[d]) / m.period[d]);
+  return image;
+}
+
+template <int Dim>
 Vec<Dim> velocity_at(const RigidMotion<Dim>& m, const Vec<Dim>& x) {
-  return m.mean_velocity + within<Dim>(cross(m.mean_spin, in_space(x - m.centre)));
+  const Vec<Dim> image = nearest_image(m, pose_now(m), x);
+  return m.mean_velocity + within<Dim>(cross(m.mean_spin, in_space(image - m.centre)));
 }
 
 template <int Dim>
@@ -70,7 +100,17 @@ RigidPose<Dim> pose_after(const RigidMotion<Dim>& m, double ahead) {
 
 template <int Dim>
 double distance_at(const RigidMotion<Dim>& m, const RigidPose<Dim>& pose, const Vec<Dim>& x) {
-  return m.distance(m.start_centre + within<Dim>(times_transposed(pose.turn, in_space(x - pose.centre))));
+  if (m.period == Vec<Dim>{}) return distance_of_one(m, pose, x);
+  const Vec<Dim> nearest = nearest_image(m, pose, x);
+  Box<Dim> sides{};  // [periods]
+  for (int d = 0; d < Dim; ++d) sides.lo[d] = m.period[d] > 0 ? -1 : 0, sides.hi[d] = 1 - sides.lo[d];
+  double least = std::numeric_limits<double>::infinity();
+  for_each(sides, [&](const Index<Dim>& side) {
+    Vec<Dim> image = nearest;
+    for (int d = 0; d < Dim; ++d) image[d] += side[d] * m.period[d];
+    least = std::min(least, distance_of_one(m, pose, image));
+  });
+  return least;
 }
 
 template <int Dim>
@@ -131,7 +171,8 @@ void set_free(RigidMotion<Dim>& m, double mass, const Vec<3>& inertia) {
   m.mass = RigidMass<Dim>{mass, inertia, mass * m.velocity, {}, 0, 0};
   for (int d = 0; d < 3; ++d)
     if (!(inertia[d] > 0)) m.spin[d] = m.mean_spin[d] = 0;
-  m.mass->start_moment = cross(m.centre, m.mass->start_momentum) + moment_of(m.turn, inertia, m.spin);
+  m.mass->start_moment =
+      cross(middle_at(m, pose_now(m)), m.mass->start_momentum) + moment_of(m.turn, inertia, m.spin);
   m.mass->start_energy = m.mass->energy = kinetic_energy(m);
 }
 
@@ -156,15 +197,17 @@ void move_rigid(RigidMotion<Dim>& m, double dt, const Vec<Dim>& impulse, const V
   own.energy = own.start_energy + work;
 }
 
-#define RECOIL_INSTANTIATE(Dim)                                                                      \
-  template struct VelocityHistory<Dim>;                                                              \
-  template void follow_history<Dim>(RigidMotion<Dim>&, double, double);                              \
-  template Vec<Dim> velocity_at<Dim>(const RigidMotion<Dim>&, const Vec<Dim>&);                      \
-  template RigidPose<Dim> pose_after<Dim>(const RigidMotion<Dim>&, double);                          \
-  template double distance_at<Dim>(const RigidMotion<Dim>&, const RigidPose<Dim>&, const Vec<Dim>&); \
-  template void set_moving<Dim>(RigidMotion<Dim>&, const Vec<Dim>&, const Vec<3>&);                  \
-  template void set_free<Dim>(RigidMotion<Dim>&, double, const Vec<3>&);                             \
-  template void move_rigid<Dim>(RigidMotion<Dim>&, double, const Vec<Dim>&, const Vec<3>&, double);  \
+#define RECOIL_INSTANTIATE(Dim)                                                                          \
+  template struct VelocityHistory<Dim>;                                                                  \
+  template void follow_history<Dim>(RigidMotion<Dim>&, double, double);                                  \
+  template Vec<Dim> middle_at<Dim>(const RigidMotion<Dim>&, const RigidPose<Dim>&);                      \
+  template Vec<Dim> nearest_image<Dim>(const RigidMotion<Dim>&, const RigidPose<Dim>&, const Vec<Dim>&); \
+  template Vec<Dim> velocity_at<Dim>(const RigidMotion<Dim>&, const Vec<Dim>&);                          \
+  template RigidPose<Dim> pose_after<Dim>(const RigidMotion<Dim>&, double);                              \
+  template double distance_at<Dim>(const RigidMotion<Dim>&, const RigidPose<Dim>&, const Vec<Dim>&);     \
+  template void set_moving<Dim>(RigidMotion<Dim>&, const Vec<Dim>&, const Vec<3>&);                      \
+  template void set_free<Dim>(RigidMotion<Dim>&, double, const Vec<3>&);                                 \
+  template void move_rigid<Dim>(RigidMotion<Dim>&, double, const Vec<Dim>&, const Vec<3>&, double);      \
   template double kinetic_energy<Dim>(const RigidMotion<Dim>&);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)

@@ -58,6 +58,7 @@ velocity = { z = "%s m/s" }
         self.assertEqual(words[2], ["contact.flyer-target.recloses", "did not happen"])
         self.assertRegex(words[0][1], r"^0\.7\d* us$")
         self.assertRegex(words[3][1], r"^\S+ m/s$")
+        self.expect(recoil("value", out, "gauge.rear.velocity@9us"), 0, "the record, from 0 to 1 us, has no value there")
         everything = recoil("value", out)
         self.expect(everything, 0, "gauge.rear.velocity.peak", "body.flyer.mass")
         self.assertIn("5.4 kg/m2", everything.stdout)  # 2 mm of 2700 kg/m3

@@ -136,6 +136,8 @@ every = "1 us"
         self.assertNotEqual(part, self.picture(out, "velocity.x", *window, "--outline", outline))
         self.expect(recoil("plot", out, "velocity.x", "--window", "r=0mm..1mm"), 2, "--window x=0mm..9mm,y=0mm..12mm")
         self.expect(recoil("plot", out, "velocity.x", "--window", "x=50mm..60mm"), 2, "outside the field")
+        self.expect(recoil("plot", out, "velocity.x", "--window", "x=1mm..0mm"), 2, "ends before it begins", "x=0mm..1mm")
+        self.expect(recoil("plot", out, "velocity.x", "--at=-1us"), 2, "before the start of the run")
         self.expect(recoil("plot", out, "pressure", "--xt"), 2, "--xt needs a 1d run")
         self.assertNotEqual(whole, self.picture(out, "body"))
         self.expect(recoil("plot", out, "body", "--log"), 2, "a field of names")

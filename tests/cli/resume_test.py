@@ -200,6 +200,21 @@ class Resume(unittest.TestCase):
             self.finish(run)
             self.same(run)
 
+    def test_asked_to_stop_before_the_first_step(self):
+        """From the moment that it reads its case."""
+        for n, request in enumerate((signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGHUP)):
+            run = self.folder / f"early_{n}"
+            process = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
+                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            while not (run / "case.resolved.toml").exists() and process.poll() is None:
+                time.sleep(0.001)
+            process.send_signal(request)
+            said = process.communicate()[0]
+            self.assertEqual(process.returncode, 75, said)
+            self.assertIn("stopped at", said)
+            self.finish(run)
+            self.same(run)
+
     def test_asked_to_stop_with_two_processes(self):
         """By a signal to the launcher alone, or as Ctrl-C at a terminal sends it, to its process group; at any moment."""
         ways = (
@@ -284,6 +299,20 @@ class Resume(unittest.TestCase):
         self.expect(recoil("resume", self.folder / "nowhere"), 2, "no folder")
         self.expect(recoil("resume", run, "--to", "1us"), 2, "the run would end at 1 us", "--to a later")
 
+    def test_tables_that_lack_rows(self):
+        """A series that ends before the checkpoint would go on with a hole."""
+        run = self.folder / "short_tables"
+        self.expect(recoil("run", self.case, "-o", run, "--plain", "--wall", "0.3s"), 75)
+        for name in ("history.csv", "fragments.csv"):
+            whole = (run / name).read_bytes()
+            (run / name).write_bytes(whole[: whole.index(b"\n") + 200])
+            self.expect(recoil("resume", run, "--plain"), 2, name, "rows are lost", "put the whole file back")
+            (run / name).unlink()
+            self.expect(recoil("resume", run, "--plain"), 2, name)
+            (run / name).write_bytes(whole)
+        self.finish(run)
+        self.same(run)
+
     def test_a_folder_belongs_to_one_run(self):
         run = self.folder / "locked"
         first = subprocess.Popen([PROGRAM, "run", str(self.case), "-o", str(run), "--plain", "-j", "1"],
@@ -294,7 +323,7 @@ class Resume(unittest.TestCase):
         first.kill()
         first.wait()
         said = recoil("status", run)
-        self.expect(said, 0, "interrupted (killed) beyond", "recoil resume")
+        self.expect(said, 0, "interrupted (killed, or ended by an error", "recoil resume")
         # It knows within a tenth of the time how far the run was, and the checkpoint by its name and time.
         reached = re.search(r"beyond ([0-9.e+-]+) of 6 us, step (\d+)", said.stdout)
         self.assertGreater(int(reached[2]), 0, said.stdout)
@@ -314,7 +343,7 @@ class Resume(unittest.TestCase):
                 if (run / "status.json").exists() and ", step 0" not in recoil("status", run).stdout:
                     break
             process.kill()
-        self.expect(recoil("status", run), 0, "interrupted (killed) beyond", "left no checkpoint")
+        self.expect(recoil("status", run), 0, "interrupted (killed, or ended by an error", "left no checkpoint")
         (run / "status.json").unlink()
         self.expect(recoil("status", run), 0, "interrupted before its first step")
 

@@ -132,18 +132,26 @@ class Sweep(Program):
             ([*speed, "--find", "contact.flyer-target.opens = 3us"], ["one of < <= > >="]),
             ([*speed, "--within", "3 m/s"], ["--within goes with --find"]),
             (["--set", SPEED + "200m/s,300m/s", "--find", "event.ricochet"], ["no --set has a range"]),
+            ([*speed, "--quantity", "gauge.rear.speed.max"], ["has no column 'speed'", "velocity"]),
+            ([*speed, "--find", "event.ricoche"], ["did you mean 'event.ricochet'?"]),
+            ([*speed, "--find", "gauge.impact.traction.min < -3 us"], ["compare it with a value in GPa"]),
+            ([*speed, "--find", "body.flyer.velocity.x > 5GPa"], ["compare it with a value in m/s"]),
+            ([*speed, "--find", "body.flyer.velocity.x"], ["is a number"]),
             ([], ["--set"]),
         ):
             self.expect(self.sweep(*words), 2, *texts)
         self.assertFalse(self.out.exists())
 
-    def test_a_wrong_quantity_is_told_after_the_first_run(self):
+    def test_a_quantity_without_a_value_is_told_after_the_first_run(self):
         speed = ["--set", SPEED + "200m/s:300m/s", "-j", "1"]
-        self.expect(self.sweep(*speed, "--quantity", "gauge.rear.speed.max"), 2, "has no column 'speed'", "velocity")
-        self.expect(self.sweep(*speed, "--find", "event.ricoche"), 2, "did you mean 'event.ricochet'?")
-        self.expect(self.sweep(*speed, "--find", "gauge.impact.traction.min < -3 us"), 2, "compare it with a value in GPa", "goes on from it")
+        self.expect(self.sweep(*speed, "--find", "gauge.rear.velocity@9us > 3 m/s"), 2, "a run has no value there", "goes on from it")
         self.expect(self.sweep(*speed, "--find", "gauge.impact.traction.min < -3 GPa", "--within", "30 m/s"),
                     0, "1 of them finished before")  # fmt: skip
+
+    def test_a_case_without_a_title_has_the_name_of_its_file(self):
+        case = self.folder / "untitled.toml"
+        case.write_text("\n".join(line for line in self.quick.read_text().splitlines() if not line.startswith("title")))
+        self.expect(recoil("sweep", case, "-o", self.out, "--set", SPEED + "200m/s,300m/s", "--quantity", "run.steps"), 0, "# untitled\n")
 
     def test_an_interrupted_run_goes_on(self):
         case = self.case(*QUICK, ("[gauge.rear]", '[output.checkpoint]\nevery = "0.3 us"\n\n[gauge.rear]'))

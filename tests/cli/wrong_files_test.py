@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """Files and folders in each other's place, of others, damaged, misnamed. Environment: see program.py."""
 
+import json
 import unittest
 
-from program import Program, recoil
+from program import FLYER, Program, recoil
 
 CURVE = '[expect]\n"gauge.rear.velocity.error@0us..1us:%s:v" = { at-most = "1 m/s" }\n'
 
@@ -21,6 +22,29 @@ class WrongFiles(Program):
         for out in (thesis.parent, thesis):
             self.expect(recoil("run", self.case(), "-o", out, "--force"), 2, "choose another one with -o")
         self.assertEqual([(p.name, p.read_text()) for p in thesis.parent.iterdir()], [("thesis.txt", "mine")])
+
+    def test_a_case_that_is_refused_leaves_the_finished_run_as_it_is(self):
+        out, case = self.folder / "out", self.case()
+        self.expect(self.run_coarse("--end", "0.2us", case=case), 0)
+
+        def held():
+            return {file: file.read_bytes() for file in out.rglob("*") if file.is_file()}
+
+        before = held()
+        for change in ('expect={"event.ricochets"=true}', 'expect={"run.steps"={at-most="1 us"}}', "time.end=0us"):
+            self.expect(self.run_coarse("--force", "--set", change, case=case), 2, "= help:")
+            self.assertEqual(held(), before, change)
+
+    def test_a_missing_case_leaves_the_others_in_the_report(self):
+        missing = self.folder / "nowhere.toml"
+        self.expect(recoil("check", missing, FLYER), 2, "there is no case file", "133.7 m/s")
+        said = recoil("check", "--json", FLYER, missing)
+        self.assertEqual(said.returncode, 2)
+        good, bad = json.loads(said.stdout)
+        self.assertTrue(good["good"])
+        self.assertFalse(bad["good"])
+        self.assertIn("there is no case file", bad["found"][0]["message"])
+        self.assertEqual(bad["found"][0]["file"], str(missing))
 
     def test_folders_in_place_of_files(self):
         (self.folder / "materials" / "mine.toml").mkdir(parents=True)

@@ -19,8 +19,8 @@ void check_steps(LoadedCase& loaded);
 /// Parts of the domain with the finest cells that lie outside of it, keys that mean nothing without levels.
 void check_levels(LoadedCase& loaded);
 
-/// Names of fields, intervals beyond the end, sources that the bibliography does not know, curves of
-/// expectations that are not there.
+/// Names of fields, intervals beyond the end, sources that the bibliography does not know, and
+/// check_expectations().
 void check_output(LoadedCase& loaded);
 
 /// Constants that are wrong more often than not, and the doubts that the materials themselves state.
@@ -35,7 +35,8 @@ void check_motion(LoadedCase& loaded);
 /// Plates without damage that releases will pull harder than their material bears.
 void check_tension(LoadedCase& loaded);
 
-/// Bodies that an open edge of the domain cuts, and such as meet their mirror image in a plane of symmetry.
+/// Bodies that an open edge of the domain cuts, free rigid bodies that a plane of symmetry cuts, and bodies
+/// that meet their mirror image there.
 void check_edges(LoadedCase& loaded);
 
 /// Smallest extent of a shape [m]: of parts that cannot tell, the diameter of the largest ball that fits in,

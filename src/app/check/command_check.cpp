@@ -42,11 +42,22 @@ double fastest_of(const Report& r) {
   return fastest;
 }
 
+/// The case, with all that is wrong with it. An error that leaves no case to look at is one of the file.
+LoadedCase load_and_check(const std::string& file, const std::vector<std::string>& overrides) {
+  LoadedCase loaded;
+  try {
+    loaded = load_case(file, overrides);
+    if (!loaded.found.has_errors()) check_logic(loaded);
+  } catch (const InputError& e) {
+    loaded.found.error({file}, e);
+  }
+  return loaded;
+}
+
 Report look_at(const std::string& file, const std::vector<std::string>& overrides) {
   Report r;
   r.file = file;
-  r.loaded = load_case(file, overrides);
-  if (r.good()) check_logic(r.loaded);
+  r.loaded = load_and_check(file, overrides);
   if (!r.good()) return r;
   const std::vector<PlatePair> pairs = find_plate_pairs(r.loaded.contents);
   for (const PlatePair& pair : pairs) {
@@ -95,6 +106,7 @@ void print_report(const Report& r) {
     fmt::print("predicted (one-dimensional waves, no rate dependence)\n");
   for (const PlatePrediction& p : r.predictions) fmt::print("{}", describe(p, c));
   for (const TouchPrediction& p : r.touches) fmt::print("{}", describe(p, c));
+  for (const std::string& why : not_predicted(c)) fmt::print("  {}\n", why);
   fmt::print("{}", scheme_note(c));
   fmt::print(
       "cost\n  {} cells, {} of them with matter; {} steps of about {:.3g} ns\n"
@@ -172,6 +184,7 @@ Json report_json(const Report& r) {
     j["predicted"].push_back(prediction_json(p, r.loaded.contents));
   j["touches"] = Json::array();
   for (const TouchPrediction& p : r.touches) j["touches"].push_back(touch_json(p, r.loaded.contents));
+  j["not_predicted"] = not_predicted(r.loaded.contents);
   j["cost"] = {{"cells", r.cost.cells},
                {"material_cells", r.cost.material_cells},
                {"start_cells", r.cost.start_cells},

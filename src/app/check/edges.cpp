@@ -12,6 +12,8 @@
 #include "core/index.hpp"
 #include "core/vec.hpp"
 #include "material/eos/isentrope.hpp"
+#include "problem/shape.hpp"
+#include "problem/start.hpp"
 
 namespace recoil::app {
 
@@ -108,9 +110,53 @@ void check_mirror_images(LoadedCase& loaded) {
   }
 }
 
+/// Whether a body lies in the cells at an edge.
+template <int Dim>
+bool reaches_edge(const config::Case& c, const Body& body, DomainEdge edge) {
+  const Grid<Dim> grid = make_grid<Dim>(c);
+  const auto distance = signed_distance<Dim>(body.shape, c.domain);
+  const int d = static_cast<int>(edge.axis);
+  Box<Dim> layer = grid.domain();
+  (edge.side == 0 ? layer.hi : layer.lo)[d] = edge.side == 0 ? layer.lo[d] + 1 : layer.hi[d] - 1;
+  bool reaches = false;
+  for_each(layer,
+           [&](const Index<Dim>& i) { reaches = reaches || distance(grid.centre(i)) < -0.5 * grid.dx; });
+  return reaches;
+}
+
+bool reaches_edge(const config::Case& c, const Body& body, DomainEdge edge) {
+  switch (config::dimension(c.domain.geometry)) {
+    case 1:
+      return reaches_edge<1>(c, body, edge);
+    case 2:
+      return reaches_edge<2>(c, body, edge);
+    default:
+      return reaches_edge<3>(c, body, edge);
+  }
+}
+
+/// A free body must be modelled whole: half of one would be pushed off its plane of symmetry.
+void check_free_bodies(LoadedCase& loaded) {
+  const config::Case& c = loaded.contents;
+  const std::vector<std::string> axes = config::axes_of(c.domain.geometry);
+  for (const Body& body : c.bodies)
+    for (DomainEdge edge; edge.axis < axes.size(); ++edge.axis)
+      for (edge.side = 0; edge.side < 2; ++edge.side) {
+        const bool is_free = body.rigid && body.mass > 0;
+        if (!is_free || c.domain.boundary[edge.axis][edge.side] != config::Boundary::symmetry) continue;
+        if (!reaches_edge(c, body, edge)) continue;
+        loaded.found.error(
+            body.shape.place,
+            fmt::format("the free rigid body '{}' is cut by the plane of symmetry {} = {:.4g} mm", body.name,
+                        axes[edge.axis], (edge.side == 0 ? c.domain.lo : c.domain.hi)[edge.axis] * 1e3),
+            "model it whole, or take out its mass: then it keeps its velocity");
+      }
+}
+
 }  // namespace
 
 void check_edges(LoadedCase& loaded) {
+  check_free_bodies(loaded);
   check_mirror_images(loaded);
   const config::Case& c = loaded.contents;
   const std::vector<std::string> axes = config::axes_of(c.domain.geometry);

@@ -11,10 +11,8 @@
 #include "app/check/checks.hpp"
 #include "app/data_folder.hpp"
 #include "core/closest.hpp"
-#include "core/error.hpp"
-#include "format/csv.hpp"
 #include "record/field_dump.hpp"
-#include "record/quantities.hpp"
+#include "record/findings.hpp"
 
 namespace recoil::app {
 
@@ -97,31 +95,19 @@ void check_sources(LoadedCase& loaded) {
   }
 }
 
-/// Curves that expectations compare with: a run would find at its end that they are not there.
-void check_references(LoadedCase& loaded) {
-  for (const config::Expectation& e : loaded.contents.expect) {
-    const auto curve = reference_curve_of(e.quantity);
-    if (!curve) continue;
-    try {
-      const CsvTable table = read_csv(loaded.folder / curve->file);
-      table.numbers(table.columns.front());
-      table.numbers(curve->file_column);
-    } catch (const InputError& error) {
-      const std::string text = error.what(), head = "error: ", help = "\n   = help: ";
-      const std::size_t begin = text.starts_with(head) ? head.size() : 0, end = text.find(help, begin);
-      loaded.found.error(e.place, text.substr(begin, end - begin),
-                         end == std::string::npos ? "" : text.substr(end + help.size()));
-    }
-  }
-}
-
 }  // namespace
+
+void check_expectations(LoadedCase& loaded) {
+  Quantities known = known_quantities(loaded.contents);
+  known.folder = loaded.folder;  // where the curves lie that they compare with
+  check_known(known, loaded.contents.expect, loaded.found);
+}
 
 void check_output(LoadedCase& loaded) {
   check_variables(loaded);
   check_intervals(loaded);
   check_sources(loaded);
-  check_references(loaded);
+  check_expectations(loaded);
 }
 
 }  // namespace recoil::app

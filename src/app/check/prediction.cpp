@@ -21,8 +21,11 @@ using config::endless;
 using config::Extent;
 using config::Geometry;
 
-/// What detonates is not in the state of rest that a prediction starts from.
-bool is_lit(const Body& body) { return !body.detonation.points.empty(); }
+/// Whether a body has a pressure or a temperature of its own at the start.
+bool starts_otherwise(const Body& body) { return body.pressure.value_or(0) != 0 || body.temperature; }
+
+/// Predictions start from the state of rest: neither what detonates nor what starts otherwise is in it.
+bool is_left_out(const Body& body) { return !body.detonation.points.empty() || starts_otherwise(body); }
 
 /// Whether two bodies lie side by side over some width across `axis`.
 bool beside(const Extent& a, const Extent& b, std::size_t axis, int dim) {
@@ -265,7 +268,8 @@ std::vector<PlatePair> find_plate_pairs(const Case& c) {
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = 0; b < all.size(); ++b)
       for (std::size_t axis = 0; a != b && axis < dim; ++axis)
-        if (!(c.bodies[a].rigid && c.bodies[b].rigid) && !is_lit(c.bodies[a]) && !is_lit(c.bodies[b]))
+        if (!(c.bodies[a].rigid && c.bodies[b].rigid) && !is_left_out(c.bodies[a]) &&
+            !is_left_out(c.bodies[b]))
           if (const auto pair = pair_along(c, all, a, b, axis)) pairs.push_back(*pair);
   return pairs;
 }
@@ -334,7 +338,7 @@ std::vector<TouchPrediction> predict_touches(const Case& c, const std::vector<Ma
     });
     const bool first_rigid = c.bodies[a.first].rigid, second_rigid = c.bodies[a.second].rigid;
     if (is_plates || a.time > c.time.end || (first_rigid && second_rigid)) continue;
-    if (is_lit(c.bodies[a.first]) || is_lit(c.bodies[a.second])) continue;
+    if (is_left_out(c.bodies[a.first]) || is_left_out(c.bodies[a.second])) continue;
     PlatePrediction pair;
     pair.pair.closing = a.closing;
     pair.flyer_rigid = first_rigid;
@@ -356,6 +360,22 @@ std::string describe(const TouchPrediction& p, const Case& c) {
   if (!c.bodies[a.first].rigid) text += shock_line(c.bodies[a.first].name, p.first_shock);
   if (!c.bodies[a.second].rigid) text += shock_line(c.bodies[a.second].name, p.second_shock);
   return text;
+}
+
+std::vector<std::string> not_predicted(const Case& c) {
+  std::vector<std::string> reasons;
+  for (const Body& body : c.bodies) {
+    if (body.takes_up_fragments() || body.rigid || !starts_otherwise(body)) continue;
+    std::string start;
+    if (body.pressure.value_or(0) != 0) start = fmt::format("{:.4g} GPa", *body.pressure * 1e-9);
+    if (body.temperature) start += fmt::format("{}{:.4g} K", start.empty() ? "" : " and ", *body.temperature);
+    reasons.push_back(
+        fmt::format("impacts of '{}' are not predicted: it starts at {}, and predictions hold for matter "
+                    "without pressure and "
+                    "at the temperature of its material",
+                    body.name, start));
+  }
+  return reasons;
 }
 
 }  // namespace recoil::app

@@ -79,6 +79,9 @@ std::vector<TouchPrediction> predict_touches(const config::Case& c, const std::v
                                              const std::vector<PlatePair>& plates);
 std::string describe(const TouchPrediction& p, const config::Case& c);
 
+/// Bodies whose impacts are left out for the state in which they start, and why: a sentence for each.
+std::vector<std::string> not_predicted(const config::Case& c);
+
 /// By how much a free surface moves faster than the matter behind the shock once that is unloaded [m/s]:
 /// first elastically to the other side of the yield surface, then plastically.
 double unloading_velocity(const ShockState& state, const Material& material);

@@ -36,6 +36,9 @@ constexpr double told_difference = 0.01;  // between the time of a picture and t
 
 int plot_field(const PlotOptions& o) {
   const auto wanted = o.at.empty() ? std::nullopt : std::optional<double>(quantity_option(o.at, "s", "--at"));
+  if (wanted && *wanted < 0)
+    throw InputError(
+        fmt::format("--at {} lies before the start of the run\n   = help: a run begins at time 0", o.at));
   const ChosenDump chosen = choose_dump(o.folder, wanted);
   if (wanted && std::abs(chosen.time_s - *wanted) > told_difference * *wanted)
     fmt::print(

@@ -81,6 +81,12 @@ std::array<Span, 2> read_window(const std::string& text, const std::vector<std::
                       part, axes[0], axes[1]));
     window[axis] = {quantity_option(part.substr(equals + 1, dots - equals - 1), "m", "--window"),
                     quantity_option(part.substr(dots + 2), "m", "--window")};
+    if (!(window[axis].to > window[axis].from))
+      throw InputError(
+          fmt::format("the interval '{}' of --window ends before it begins\n   = help: write the smaller "
+                      "coordinate first: {}={}..{}",
+                      part, axes[static_cast<std::size_t>(axis)], part.substr(dots + 2),
+                      part.substr(equals + 1, dots - equals - 1)));
     at = end + 1;
   }
   return window;

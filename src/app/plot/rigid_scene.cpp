@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "problem/shape.hpp"
+#include "problem/rigid_start.hpp"
 #include "problem/start.hpp"
 #include "state/rigid_motion.hpp"
 
@@ -20,11 +20,6 @@ double outside_of(const SpaceBox& box, const Vec<3>& x) {
   return norm(away);
 }
 
-/// A body as the case has it.
-RigidMotion<3> motion_of(const config::Body& body, const config::Domain& domain) {
-  return prescribed_motion<3>(body, signed_distance<3>(body.shape, domain));
-}
-
 std::function<double(const Vec<3>&)> distance_in(RigidMotion<3> motion, const RigidPose<3>& pose) {
   return [motion = std::move(motion), pose](const Vec<3>& x) { return distance_at(motion, pose, x); };
 }
@@ -34,10 +29,11 @@ std::function<double(const Vec<3>&)> distance_in(RigidMotion<3> motion, const Ri
 RigidScene::RigidScene(const Scene& scene, int bodies, const config::Case& c, double time,
                        const std::vector<RigidPlace>& places, const std::vector<std::string>& shown)
     : scene_(scene), bodies_(bodies), box_(scene.box()) {
+  const Grid<3> grid = make_grid<3>(c);
   for (std::size_t m = 0; m < c.bodies.size(); ++m) {
     const config::Body& body = c.bodies[m];
     if (!body.rigid || (!shown.empty() && std::ranges::find(shown, body.name) == shown.end())) continue;
-    RigidMotion<3> motion = motion_of(body, c.domain);
+    RigidMotion<3> motion = prescribed_motion<3>(body, c, grid);
     const auto place = std::ranges::find(places, static_cast<int>(m), &RigidPlace::body);
     if (place != places.end()) {
       motion.start_centre = place->start_centre;

@@ -117,6 +117,7 @@ std::string predicted(const LoadedCase& loaded) {
       text += describe(predict(pair, loaded.contents, loaded.materials), loaded.contents);
     for (const TouchPrediction& touch : predict_touches(loaded.contents, loaded.materials, plates))
       text += describe(touch, loaded.contents);
+    for (const std::string& why : not_predicted(loaded.contents)) text += fmt::format("  {}\n", why);
   } catch (const PhysicsError& e) {
     text += fmt::format("  nothing: {}\n", e.what());
   }

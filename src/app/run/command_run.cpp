@@ -211,7 +211,7 @@ std::filesystem::path find_checkpoint(const ResumeOptions& options) {
 }  // namespace
 
 int run(const RunOptions& options) {
-  if (launched()) watch_stop_signals();  // the launcher takes the death of a process for a failure
+  watch_stop_signals();  // also while the run is set up: it stops after its first step
   SimulationOptions simulation;
   simulation.overrides = options.overrides;
   if (!options.end.empty()) simulation.overrides.push_back("time.end=" + options.end);
@@ -226,7 +226,7 @@ int run(const RunOptions& options) {
 }
 
 int resume(const ResumeOptions& options) {
-  if (launched()) watch_stop_signals();
+  watch_stop_signals();
   SimulationOptions simulation;
   simulation.folder = options.folder;
   simulation.checkpoint = find_checkpoint(options);
@@ -236,6 +236,7 @@ int resume(const ResumeOptions& options) {
   if (!options.to.empty()) simulation.overrides.push_back("time.end=" + options.to);
   LoadedCase loaded =
       load_case((simulation.folder / "case.toml").string(), simulation.overrides, then.case_file);
+  if (!loaded.found.has_errors()) check_expectations(loaded);
   loaded.found.throw_if_errors();
   if (const std::string why = refusal(then, describe(loaded, simulation.overrides)); !why.empty())
     throw InputError(why);

@@ -62,15 +62,18 @@ std::string resume_text(const fs::path& folder) {
   }
 }
 
-/// A run is killed between two writes: then its last words are all that is known.
+/// A run is killed between two writes, or cannot write any more: then its last words are all that is known.
 std::string text_of(const Standing& s, const std::string& folder) {
   const std::string where = fmt::format("{:.6g} of {:.6g} us, step {}", s.time_us, s.end_us, s.step);
   if (s.state == "running")
     return fmt::format("{}: running at {}, dt {:.4g} ns, {:.0f} s so far, about {:.0f} s left\n", folder,
                        where, s.dt_ns, s.wall_s, s.left_s);
   if (s.state == "interrupted")
-    return fmt::format("{}: interrupted (killed) beyond {}, which it had reached after {:.3g} s\n", folder,
-                       where, s.wall_s);
+    return fmt::format(
+        "{}: interrupted (killed, or ended by an error of the machine such as a full disk) beyond {}, which "
+        "it "
+        "had reached after {:.3g} s\n",
+        folder, where, s.wall_s);
   return fmt::format("{}: {} at {}, after {:.3g} s\n", folder, s.state, where, s.wall_s);
 }
 

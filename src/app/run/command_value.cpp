@@ -17,13 +17,24 @@ namespace recoil::app {
 
 namespace {
 
+/// Why there is no value: of a record, how far it goes.
+std::string why_nothing(const Quantities& found, const std::string& quantity) {
+  const auto record = record_of(quantity);
+  if (!record) return "did not happen";
+  const auto series = std::ranges::find(found.gauges, record->gauge, &TimeSeries::name);
+  if (series == found.gauges.end() || series->time.empty()) return "the record is empty";
+  const SeriesColumn& over = series->over;
+  return fmt::format("the record, from {:.6g} to {:.6g} {}, has no value there",
+                     series->time.front() * over.to_unit, series->time.back() * over.to_unit, over.unit);
+}
+
 /// "219.406 m/s", "yes", "did not happen".
 std::string shown_value(const RunQuantities& run, const std::string& quantity) {
   const double value = value_of(run, quantity);
-  if (std::isnan(value)) return "did not happen";
+  if (std::isnan(value)) return why_nothing(run.found, quantity);
   const bool is_flag = run.found.flags.contains(quantity) && !run.found.numbers.contains(quantity);
   if (is_flag) return value != 0 ? "yes" : "no";
-  const std::string unit = unit_of(run, quantity);
+  const std::string unit = unit_of(run.found, quantity);
   if (unit.empty() || unit == "1") return fmt::format("{:.6g}", value);
   return fmt::format("{:.6g} {}", config::in_unit(value, unit), unit);
 }

@@ -174,10 +174,11 @@ void prepare_run_folder(const fs::path& folder, const LoadedCase& loaded, bool f
           fmt::format("the folder {} holds an interrupted run\n   = help: `recoil resume {}` goes on with "
                       "it, --force replaces it, -o chooses another folder",
                       folder.string(), folder.string()));
+    const std::string resolved = resolved_text(loaded);
     for (const char* name : traces) fs::remove_all(folder / name);
     fs::create_directories(folder);
     write_atomically(folder / "case.toml", loaded.document.text);
-    write_atomically(folder / "case.resolved.toml", resolved_text(loaded));
+    write_atomically(folder / "case.resolved.toml", resolved);
     copy_files(folder, loaded);
     copy_paraview_script(folder);
     write_rigid_surfaces(folder, loaded.contents);

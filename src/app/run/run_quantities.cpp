@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -109,31 +108,6 @@ void tidy(Quantities& q, const std::vector<std::string>& bodies, const std::vect
               q.numbers.at(contact_quantity(p.first, p.second, "made"));
 }
 
-/// The unit that files have a number in.
-std::string unit_of_number(const std::string& name, const RunUnits& u) {
-  const std::size_t group = name.find('.');
-  const std::string what = name.substr(std::min(name.find('.', group + 1), name.size() - 1) + 1);
-  if (name.starts_with("contact.")) return what == "restitution" ? "1" : "us";
-  if (name.starts_with("failure.")) return what == "time" ? "us" : "mm";
-  if (name.starts_with("fragments.")) return name.ends_with("mass") ? u.mass : what == "pieces" ? "1" : "m/s";
-  if (!name.starts_with("body.")) return "1";
-  const std::string quantity = what.substr(0, what.find('.'));
-  const std::array<std::pair<const char*, std::string>, 11> units{{{"mass", u.mass},
-                                                                   {"failed-mass", u.mass},
-                                                                   {"kinetic", u.energy},
-                                                                   {"internal", u.energy},
-                                                                   {"energy", u.energy},
-                                                                   {"volume", u.volume},
-                                                                   {"momentum", u.momentum},
-                                                                   {"angular-momentum", u.angular_momentum},
-                                                                   {"velocity", "m/s"},
-                                                                   {"position", "mm"},
-                                                                   {"lowest", "mm"}}};
-  for (const auto& [known, unit] : units)
-    if (quantity == known) return unit;
-  return quantity == "highest" ? "mm" : "1";
-}
-
 double size_of(const std::string& unit) { return unit.empty() || unit == "1" ? 1 : config::unit_size(unit); }
 
 SeriesColumn column_of(const CsvTable& table, const std::string& head) {
@@ -171,26 +145,13 @@ void add_aliases(Quantities& q) {
   for (const auto& [name, value] : given) {
     if (name.starts_with("body.") && name.ends_with(".x"))
       if (const std::string bare = name.substr(0, name.size() - 2); !given.contains(bare + ".y"))
-        q.numbers[bare] = value;
+        q.numbers[bare] = value, q.units[bare] = q.units[name];
     for (const PairName& p : pair_names(name)) {
-      q.numbers[p.swapped()] = value;
+      q.numbers[p.swapped()] = value, q.units[p.swapped()] = q.units[name];
       if (p.what == "made" || p.what == "opens" || p.what == "separates" || p.what == "recloses")
         q.flags[name] = q.flags[p.swapped()] = !std::isnan(value);
     }
   }
-}
-
-/// The gauge and the column that a quantity speaks of; a column past the end: it names none.
-std::pair<const TimeSeries*, std::size_t> column_named_in(const RunQuantities& run,
-                                                          const std::string& quantity) {
-  for (const TimeSeries& s : run.found.gauges) {
-    const std::string begin = "gauge." + s.name + ".";
-    if (!quantity.starts_with(begin)) continue;
-    std::string column = quantity.substr(begin.size(), quantity.find('@') - begin.size());
-    if (s.find(column) == s.columns.size()) column = column.substr(0, column.rfind('.'));
-    return {&s, s.find(column)};
-  }
-  return {nullptr, 0};
 }
 
 }  // namespace
@@ -207,17 +168,15 @@ void write_quantities(const fs::path& file, const config::Case& c, const State<D
     rigid.push_back(body.rigid && !body.rigid->mass);
   }
   const RunUnits units = run_units(c.domain.geometry);
-  ContactRule rule;
-  rule.hold.assign(names.size() * (names.size() - 1) / 2, 0);
   Quantities q = find_quantities(totals, names, rigid, units, summary.budgets,
-                                 EventWatch(names, c.domain.geometry, rule), summary.floors, summary.steps);
+                                 without_events(names, c.domain.geometry), summary.floors, summary.steps);
   take_events(q, summary.events);
   take_places(q, summary.events, units.axes);
   add_fragments(q, summary.fragments, units);
   tidy(q, names, summary.expect);
   std::string text = "quantity,value,unit\n";
   for (const auto& [name, value] : q.numbers) {
-    const std::string unit = unit_of_number(name, units);
+    const std::string& unit = q.units.at(name);
     text += fmt::format("{},{},{}\n", name, format_number(value / size_of(unit)), unit);
   }
   for (const auto& [name, flag] : q.flags) text += fmt::format("{},{},{}\n", name, flag ? 1 : 0, flag_unit);
@@ -242,40 +201,12 @@ RunQuantities read_quantities(const fs::path& run, const fs::path& case_folder) 
     if (units[k] == flag_unit)
       r.found.flags[names[k]] = values[k] != 0;
     else
-      r.found.numbers[names[k]] = values[k] * size_of(units[k]), r.units[names[k]] = units[k];
+      r.found.numbers[names[k]] = values[k] * size_of(units[k]), r.found.units[names[k]] = units[k];
   }
   add_aliases(r.found);
   read_gauges(r.found, run / "gauges");
   r.found.folder = case_folder;
   return r;
-}
-
-namespace {
-
-/// `mm` over `us` is `mm/us`, `m/s` over it `m/(s us)`.
-std::string unit_of_slope(const std::string& unit, const std::string& over) {
-  const std::size_t bar = unit.find('/');
-  if (bar == std::string::npos) return unit + "/" + over;
-  std::string below = unit.substr(bar + 1);
-  if (below.starts_with('(')) below = below.substr(1, below.size() - 2);
-  return unit.substr(0, bar) + "/(" + below + " " + over + ")";
-}
-
-}  // namespace
-
-std::string unit_of(const RunQuantities& run, const std::string& quantity) {
-  if (const auto [series, column] = column_named_in(run, quantity); series) {
-    const std::string name = quantity.substr(0, quantity.find('@'));
-    const bool over = name.ends_with(".arrival") || name.ends_with(".until");
-    if (over || column == series->columns.size()) return series->over.unit;
-    const std::string& unit = series->columns[column].unit;
-    return name.ends_with(".slope") ? unit_of_slope(unit, series->over.unit) : unit;
-  }
-  std::vector<std::string> names{quantity, quantity + ".x"};
-  for (const PairName& p : pair_names(quantity)) names.push_back(p.swapped());
-  for (const std::string& name : names)
-    if (const auto at = run.units.find(name); at != run.units.end()) return at->second;
-  return "1";
 }
 
 double value_of(const RunQuantities& run, const std::string& quantity) {

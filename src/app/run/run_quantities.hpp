@@ -14,10 +14,9 @@ namespace recoil::app {
 
 /// What a finished run found out, as quantities.csv and gauges/ in its folder have it.
 struct RunQuantities {
-  Quantities found;                          // SI; pairs of bodies by both orders of their names
-  std::vector<std::string> names;            // of quantities.csv, in its order
-  std::map<std::string, std::string> units;  // of those, in which the file has them; flags have none
-  std::filesystem::path file;                // quantities.csv
+  Quantities found;                // SI; pairs of bodies by both orders of their names
+  std::vector<std::string> names;  // of quantities.csv, in its order
+  std::filesystem::path file;      // quantities.csv
 };
 
 /// quantities.csv of a run: every number and flag that an expectation can name, but not what gauges hold.
@@ -32,9 +31,6 @@ bool has_quantities(const std::filesystem::path& run);
 /// @param case_folder where the reference curves lie that a quantity may name.
 /// @throws InputError for a folder without a finished run, or files that cannot be read.
 RunQuantities read_quantities(const std::filesystem::path& run, const std::filesystem::path& case_folder);
-
-/// The unit in which a quantity is shown: "us", "GPa"; "1" of a plain number or a flag.
-std::string unit_of(const RunQuantities& run, const std::string& quantity);
 
 /// The value of one: a number, or 1 or 0 of a flag; NaN where there is none, because it did not happen.
 /// @throws InputError for a name that the run does not have.

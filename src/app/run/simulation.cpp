@@ -115,7 +115,7 @@ Simulation<Dim>::Simulation(const LoadedCase& loaded, const SimulationOptions& o
       cells_(options.speaks ? cells_with_matter(case_) : 0),  // for those who read
       begun_(std::chrono::steady_clock::now()),
       worked_(std::clock()) {
-  reporter_.say(fmt::format("{}: {} process{} of {} thread{}, results in {}", case_.title, world.size(),
+  reporter_.say(fmt::format("{}: {} process{} of {} thread{}, results in {}", title_of(case_), world.size(),
                             world.size() > 1 ? "es" : "", options.threads, options.threads > 1 ? "s" : "",
                             options.folder.string()));
   recorder_.emplace(case_, state_, world, options.folder, &team_);
@@ -253,7 +253,6 @@ void Simulation<Dim>::stop(const std::string& why) {
 
 template <int Dim>
 int simulate(const LoadedCase& loaded, const SimulationOptions& options, const parallel::World& world) {
-  watch_stop_signals();
   const auto begun = std::chrono::steady_clock::now();
   Simulation<Dim> run(loaded, options, world);
   const auto out_of_time = [&] {

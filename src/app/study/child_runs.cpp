@@ -21,6 +21,7 @@
 #include "core/build_info.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
+#include "record/findings.hpp"
 
 namespace recoil::app {
 
@@ -136,19 +137,24 @@ std::string why_no_results(int code, const fs::path& log) {
   return fmt::format("exit code {}{}, see {}", code, first, log.string());
 }
 
-void check_named(const std::vector<std::string>& quantities, const config::Case& c, const char* option) {
+void check_named(const std::vector<std::string>& quantities, const LoadedCase& loaded, const char* option) {
+  const config::Case& c = loaded.contents;
   config::Diagnostics found;
   std::string all;
   std::vector<config::Expectation> named;
+  Quantities known = known_quantities(c);
+  known.folder = loaded.folder;
   for (const std::string& q : quantities) {
     all += q + '\n';
     config::Expectation e;
     e.quantity = q;
+    e.is_flag = known.flags.contains(q);
     e.place = {option, static_cast<int>(named.size()) + 1, 1, static_cast<int>(q.size())};
     named.push_back(e);
   }
   found.source(option, all);
   config::check_expected_names(named, c.bodies, c.gauges, found);
+  if (!found.has_errors()) check_known(known, named, found);
   found.throw_if_errors();
 }
 

@@ -54,9 +54,8 @@ std::string why_no_results(int code, const std::filesystem::path& log);
 /// nothing is begun.
 ChildResult run_or_reuse(const ChildRun& run);
 
-/// Finds gauges, bodies and pairs that quantities name and the case does not have. @param option that named
-/// them. @throws InputError.
-void check_named(const std::vector<std::string>& quantities, const config::Case& c, const char* option);
+/// Finds quantities that no run of the case can tell. @param option that named them. @throws InputError.
+void check_named(const std::vector<std::string>& quantities, const LoadedCase& loaded, const char* option);
 
 /// Makes a folder for results. @throws EnvironmentError.
 void make_folder(const std::filesystem::path& folder);

@@ -54,7 +54,7 @@ std::vector<Asked> asked_of(const StudyOptions& o, const config::Case& c) {
 std::vector<StudyValue> values_in(const RunQuantities& run, const std::vector<Asked>& asked) {
   std::vector<StudyValue> values;
   for (const Asked& a : asked) {
-    StudyValue v{value_of(run, a.quantity), nothing, nothing, unit_of(run, a.quantity)};
+    StudyValue v{value_of(run, a.quantity), nothing, nothing, unit_of(run.found, a.quantity)};
     if (v.unit == "1") v.unit.clear();
     if (const auto& e = a.expected) {
       const bool one_sided = e->at_most || e->at_least;
@@ -128,7 +128,7 @@ void fill_gaps(StudyTable& table) {
 
 /// Names in --quantity of gauges, bodies and pairs that the case does not have.
 void check_case(const StudyOptions& o, const LoadedCase& loaded, const std::vector<Asked>& asked) {
-  check_named(o.quantities, loaded.contents, "--quantity");
+  check_named(o.quantities, loaded, "--quantity");
   if (asked.empty() && loaded.contents.gauges.empty())
     throw InputError(
         "there is nothing to tabulate: the case has no gauge and expects no number\n   = help: name results, "
@@ -139,7 +139,7 @@ void check_case(const StudyOptions& o, const LoadedCase& loaded, const std::vect
 /// The table of the runs that are done. @returns 0, or the exit code of the last that has no results.
 int tabulate(const LoadedCase& loaded, std::vector<Asked> asked, const fs::path& folder,
              const std::vector<Mesh>& meshes, const std::vector<ChildResult>& results) {
-  StudyTable table{loaded.contents.title, {}, {}};
+  StudyTable table{title_of(loaded.contents), {}, {}};
   int worst = exit_finished;
   std::vector<StudyMesh> drawn;  // with the first of the shifts
   for (std::size_t k = 0; k < meshes.size(); ++k) {

@@ -19,6 +19,7 @@
 #include "config/units.hpp"
 #include "core/error.hpp"
 #include "format/json_files.hpp"
+#include "record/findings.hpp"
 
 namespace recoil::app {
 
@@ -94,9 +95,12 @@ Sweep read(const SweepOptions& o) {
   for (const SweptKey& key : s.keys) first.push_back(key.key + "=" + key.values.front());
   const LoadedCase loaded = load_case(o.file, first);
   loaded.found.throw_if_errors();
-  check_named(o.quantities, loaded.contents, "--quantity");
-  if (s.searches()) check_named({s.question.condition.quantity}, loaded.contents, "--find");
-  s.title = loaded.contents.title;
+  check_named(o.quantities, loaded, "--quantity");
+  if (s.searches()) {
+    check_named({s.question.condition.quantity}, loaded, "--find");
+    s.question.condition.check(known_quantities(loaded.contents));
+  }
+  s.title = title_of(loaded.contents);
   s.folder = o.folder.empty() ? fs::path("runs") / (short_name(s.case_file) + "_sweep") : fs::path(o.folder);
   s.jobs = o.jobs;
   return s;
@@ -184,7 +188,7 @@ int sweep(const SweepOptions& o) {
   watch_stop_signals();
   try {
     return s.searches() ? find_thresholds(s) : tabulate(s);
-  } catch (const InputError& e) {  // that only results could show, such as the unit of a quantity
+  } catch (const InputError& e) {  // that only results could show, such as a quantity without a value
     std::string text = e.what();
     while (text.ends_with('\n')) text.pop_back();
     if (!std::filesystem::exists(s.folder)) throw InputError(text);

@@ -19,32 +19,29 @@ std::string without_blanks(const std::string& s) {
   return first == std::string::npos ? "" : s.substr(first, s.find_last_not_of(" \t") + 1 - first);
 }
 
-std::string dimension_of(const std::string& unit) {
-  return config::dimension_name(unit.empty() || unit == "1" ? "" : unit);
-}
-
 void check_dimension(const Condition& c, const std::string& unit) {
-  const std::string needed = dimension_of(unit), given = dimension_of(c.unit);
-  if (needed == given || (c.value == 0 && c.unit.empty())) return;
+  if (config::is_comparable(c.value, c.unit, unit)) return;
   throw InputError(
       fmt::format("--find '{}': '{}' has dimension [{}], but the quantity has [{}]\n   = help: compare it "
                   "with a value in {}",
                   c.text, without_blanks(c.text.substr(c.text.find(c.comparison) + c.comparison.size())),
-                  given, needed, unit));
+                  config::dimension_name(c.unit), config::dimension_name(unit), unit));
 }
 
 }  // namespace
 
-bool Condition::holds(const RunQuantities& run) const {
-  if (comparison.empty()) {
-    if (const auto flag = run.found.flags.find(quantity); flag != run.found.flags.end()) return flag->second;
-    value_of(run, quantity);  // throws where there is no such quantity
+void Condition::check(const Quantities& known) const {
+  if (!comparison.empty()) return check_dimension(*this, unit_of(known, quantity));
+  if (!known.flags.contains(quantity))
     throw InputError(
         fmt::format("--find '{}' is a number, not a yes or no\n   = help: compare it, e.g. --find '{} > 0'",
                     text, quantity));
-  }
-  check_dimension(*this, unit_of(run, quantity));
-  const double found = value_of(run, quantity);
+}
+
+bool Condition::holds(const RunQuantities& run) const {
+  const double found = value_of(run, quantity);  // throws where there is no such quantity
+  check(run.found);
+  if (comparison.empty()) return run.found.flags.at(quantity);
   if (std::isnan(found) && quantity.starts_with("gauge."))
     throw InputError(
         fmt::format("--find '{}': {}\n   = help: choose a quantity that every run has, such as "

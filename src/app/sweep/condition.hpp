@@ -14,6 +14,9 @@ struct Condition {
   double value = 0;        // SI
   std::string unit;        // as written; empty: none
 
+  /// @param known what a run can tell. @throws InputError where the quantity is of another dimension, or a
+  /// number that is compared with nothing.
+  void check(const Quantities& known) const;
   /// Whether it holds. What did not happen (a time of failure) fulfils no comparison.
   /// @throws InputError where the run has no such quantity or no value for it, or one of another dimension.
   bool holds(const RunQuantities& run) const;

@@ -88,7 +88,7 @@ void SweepRuns::choose_columns(const RunQuantities& run) {
       names.insert(names.end(), more.begin(), more.end());
   for (const std::string& name : names)
     if (std::ranges::find(columns_, name, &SweepColumn::quantity) == columns_.end())
-      columns_.push_back({name, unit_of(run, name)});
+      columns_.push_back({name, unit_of(run.found, name)});
 }
 
 double SweepRuns::number(const RunQuantities& run, const SweepColumn& column) const {

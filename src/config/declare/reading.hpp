@@ -20,10 +20,11 @@ struct CaseReading {
   Geometry geometry;
   std::vector<std::string> axes;  // names of the coordinates, in the order of vectors
   Diagnostics& out;
-  bool knows_domain = true;              // else bodies would only give errors that follow from that one
-  bool knows_bodies = true;              // else neither would what speaks of them
-  Vector lo{}, hi{};                     // m, of the domain
-  std::vector<std::string> bodies = {};  // their names
+  bool knows_domain = true;                    // else bodies would only give errors that follow from that one
+  bool knows_bodies = true;                    // else neither would what speaks of them
+  Vector lo{}, hi{};                           // m, of the domain
+  std::vector<std::string> bodies = {};        // their names
+  std::vector<std::string> rigid_bodies = {};  // those of them that are
   std::filesystem::path folder = {};  // of the case file: files that it names lie in it or are seen from it
   std::vector<std::filesystem::path>* files = nullptr;  // where those are collected; null: nowhere
 };

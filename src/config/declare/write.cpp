@@ -10,8 +10,12 @@ namespace recoil::config {
 std::string written_text(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
+    const auto code = static_cast<unsigned char>(c);
+    const bool is_control = code < 0x20 || code == 0x7f;  // which TOML takes in no other form
+    if (is_control)
+      out += fmt::format("\\u{:04X}", code);
+    else
+      out += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
   }
   return out + '"';
 }

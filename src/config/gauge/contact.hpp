@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,8 @@ struct ContactGauge {
   void check(const TableReading& reading) const {
     if (reading.has("at") != reading.has("radius")) reading.missing(reading.has("at") ? "radius" : "at");
   }
+  /// How many of the last columns are not written.
+  std::size_t switched_off() const { return direction == Vector{} ? 2 : 0; }
   /// The last two only with a direction.
   static std::vector<Column> columns() {
     using enum Column::Each;

@@ -10,6 +10,16 @@ constexpr const char* kind_doc = "what it records";
 
 }  // namespace
 
+std::vector<Column> written_columns(const Gauge& gauge) {
+  return std::visit(
+      [](const auto& kind) {
+        std::vector<Column> columns = kind.columns();
+        if constexpr (requires { kind.switched_off(); }) columns.resize(columns.size() - kind.switched_off());
+        return columns;
+      },
+      gauge.kind);
+}
+
 void read_gauges(const Node& table, std::vector<Gauge>& gauges, const CaseReading& in) {
   for (const Node& node : table.children) {
     if (!check_is_table(node, "gauge", in.out) || !check_name(node, "gauge", in.out)) continue;

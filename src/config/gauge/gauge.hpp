@@ -33,6 +33,10 @@ struct Gauge {
   Place place = {};
 };
 
+/// The columns that a gauge writes as it is set: those of its kind, without any that one of its keys switches
+/// on.
+std::vector<Column> written_columns(const Gauge& gauge);
+
 /// Reads every [gauge.NAME] below the table `gauge`.
 void read_gauges(const Node& table, std::vector<Gauge>& gauges, const CaseReading& in);
 void add_gauge_sections(const std::string& path, std::vector<Section>& all);

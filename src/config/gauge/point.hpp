@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct PointGauge {
              .example = "true"},
             every_key(&PointGauge::every, every_record)};
   }
+  /// How many of the last columns are not written.
+  std::size_t switched_off() const { return follows ? 0 : 1; }
   static std::vector<Column> columns() {
     using enum Column::Each;
     return {{"pressure", "GPa", "positive in compression"},

@@ -228,9 +228,9 @@ Entries<Body> keys_of_matter() {
           {.name = "centre-of-mass",
            .member = &Body::centre_of_mass,
            .unit = "m",
-           .doc = "of a free rigid body that can turn",
+           .doc = "of a free rigid body, which turns about it; without it the centroid of its shape",
            .example = R"({ x = "1 mm" })",
-           .when = is_free}};
+           .when = [](const Body& b) { return b.has_centre_of_mass; }}};
 }
 
 /// How it flies apart, or together, at the start.
@@ -352,6 +352,7 @@ void Body::check(const TableReading& reading) {
   check_radial(*this, reading);
   check_history(*this, reading);
   check_state(*this, reading);
+  has_centre_of_mass = reading.has("centre-of-mass");
   if (is_free(*this)) spin_centre = centre_of_mass;
 }
 
@@ -386,6 +387,7 @@ void read_bodies(const Node& table, std::vector<Body>& bodies, CaseReading& in) 
     body.material_place = read.place("material");
     body.fragments_place = read.place("fragments-of");
     in.bodies.push_back(body.name);
+    if (body.rigid) in.rigid_bodies.push_back(body.name);
   }
   for (Body& body : bodies)
     if (body.takes_up_fragments()) follow_source(body, bodies, in);

@@ -55,8 +55,9 @@ Entries<Limits> Limits::keys() {
            "plastic strains or heatings below zero that were set to zero"),
       part("negative-plastic-strain", &L::negative_plastic_strain, "plastic strain below zero"),
       part("negative-heating", &L::negative_heating,
-           "part of a body's heat that is missing in cells colder than at the start; by energy, colder than "
-           "the isentrope through the start by more than noise"),
+           "heat that is missing in cells of a body colder than at the start; by energy, colder than the "
+           "isentrope through the start by more than noise: part of the internal energy that all bodies took "
+           "up"),
       part("overfilled-cells", &L::overfilled_cells,
            "part of a body's matter beyond whole cells, in those with more than volume-fraction"),
       part("volume-fraction", &L::volume_fraction, "of all bodies in a cell", "1.1"),

@@ -68,9 +68,6 @@ class ContactWatch : public GaugeWatch<Dim> {
   }
 
   bool follows_every_step() const override { return true; }
-  void choose_columns(std::vector<SeriesColumn>& columns) const override {
-    if (direction_ == Vec<Dim>{}) columns.resize(columns.size() - 2);
-  }
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool at_rest,
                ExactSums& sums) override {
     if (!at_rest) probe_contact(state, pair_, at_, radius_, item_, sums);

@@ -20,9 +20,6 @@ class PointWatch : public GaugeWatch<Dim> {
 
   bool reads_contents_around() const override { return true; }
   bool follows_every_step() const override { return point_.follows; }
-  void choose_columns(std::vector<SeriesColumn>& columns) const override {
-    if (!point_.follows) columns.resize(columns.size() - Dim);
-  }
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool /*at_rest*/,
                ExactSums& sums) override {
     probe_point(state, point_, item_, sums);

@@ -62,6 +62,7 @@ typename BudgetWatch<Dim>::Sums BudgetWatch<Dim>::owed(const Totals<Dim>& t, int
 template <int Dim>
 void BudgetWatch<Dim>::begin(const Totals<Dim>& start) {
   for (std::size_t l = 0; l < lines_.size(); ++l) lines_[l].start = owed(start, body_[l]);
+  for (std::size_t l = 1; l < lines_.size(); ++l) lines_[l].internal = start.bodies[body_[l]].internal();
   look(start);
 }
 
@@ -92,13 +93,15 @@ void BudgetWatch<Dim>::judge(std::size_t l, const Sums& s) {
 
 template <int Dim>
 void BudgetWatch<Dim>::look(const Totals<Dim>& t) {
-  double all = 0;
+  double all = 0, converted = 0;
   for (std::size_t l = 1; l < lines_.size(); ++l) {
     const double energy = t.bodies[body_[l]].energy;
     lines_[l].most_energy = std::max(lines_[l].most_energy, std::abs(energy));
     lines_[l].most_mass = std::max(lines_[l].most_mass, t.bodies[body_[l]].mass);
     all += energy;
+    converted += std::abs(t.bodies[body_[l]].internal() - lines_[l].internal);
   }
+  converted_ = std::max(converted_, converted);
   lines_[0].most_energy = std::max(lines_[0].most_energy, std::abs(all));
   turning_[0].now = {};
   for (std::size_t l = 0; l < lines_.size(); ++l) {

@@ -50,13 +50,17 @@ class BudgetWatch {
   /// Those of the last look.
   const std::vector<Drift>& now() const { return now_; }
 
+  /// The largest sum, at any look so far, of the amounts by which the internal energy of each deformable body
+  /// differs from that at the start [J].
+  double converted() const { return converted_; }
+
   /// Angular momentum at the last look, in the same order. The scheme does not keep it exactly.
   const std::vector<Turning>& turning() const { return turning_; }
 
   /// For checkpoints (parallel/archive.hpp).
   template <class Archive>
   void transfer(Archive& a) {
-    a(lines_, worst_, now_);
+    a(lines_, worst_, now_, converted_);
   }
 
  private:
@@ -67,6 +71,7 @@ class BudgetWatch {
   };
   struct Line {
     Sums start;
+    double internal = 0;                                          // at the start
     double most_mass = 0, most_speed = 0, most_energy = 0;        // scales so far
     double mass_error = 0, momentum_error = 0, energy_error = 0;  // largest so far, absolute
   };
@@ -77,6 +82,7 @@ class BudgetWatch {
   std::vector<int> body_;  // of each line; -1: total
   std::vector<Line> lines_;
   std::vector<Drift> worst_, now_;
+  double converted_ = 0;
   std::vector<Turning> turning_;
 };
 

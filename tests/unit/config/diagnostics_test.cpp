@@ -74,6 +74,16 @@ TEST(Diagnostics, TheSameMistakeIsListedOnce) {
   EXPECT_EQ(d.error_count(), 3);
 }
 
+TEST(Diagnostics, TakesWhatWasThrownApart) {
+  Diagnostics d;
+  d.error({"a"}, InputError("error: wrong\n   = help: turn it round"));
+  d.error({"a"}, InputError("without a cure"));
+  EXPECT_EQ(d.list().at(0).message, "wrong");
+  EXPECT_EQ(d.list().at(0).help, "turn it round");
+  EXPECT_EQ(d.list().at(1).message, "without a cure");
+  EXPECT_EQ(d.list().at(1).help, "");
+}
+
 TEST(Diagnostics, WarningsAreNoErrors) {
   Diagnostics d;
   d.warning({"a", 1, 1, 1}, "unlikely");

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "config/read_case.hpp"
 
@@ -72,6 +74,23 @@ TEST(GaugeKinds, OfWhatBreaksAreRead) {
                    "on the axis"));
   EXPECT_TRUE(says(complaints("1d", pit + "at = { x = \"1 mm\" }\ndirection = { x = 1 }\n"),
                    "does not exist in geometry \"1d\""));
+}
+
+TEST(GaugeKinds, SomeColumnsAreSwitchedOnByAKey) {
+  const auto has = [](const Gauge& gauge, const std::string& name) {
+    const std::vector<Column> columns = written_columns(gauge);
+    return std::any_of(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
+  };
+  PointGauge point;
+  EXPECT_FALSE(has({"p", point}, "position"));
+  EXPECT_TRUE(has({"p", point}, "molten"));
+  point.follows = true;
+  EXPECT_TRUE(has({"p", point}, "position"));
+  ContactGauge contact;
+  EXPECT_FALSE(has({"c", contact}, "force.along"));
+  EXPECT_TRUE(has({"c", contact}, "traction-scatter"));
+  contact.direction = {1, 0, 0};
+  EXPECT_TRUE(has({"c", contact}, "impulse.along"));
 }
 
 TEST(GaugeKinds, MistakesGetACure) {

@@ -90,6 +90,17 @@ TEST(Units, PrintsInAUnit) {
   EXPECT_THROW(in_unit(1, "foo"), InputError);
 }
 
+TEST(Units, OnlyZeroNeedsNoneToBeCompared) {
+  EXPECT_TRUE(is_comparable(1, "us", "s"));
+  EXPECT_TRUE(is_comparable(1, "%", "1"));
+  EXPECT_TRUE(is_comparable(1, "", "1"));
+  EXPECT_TRUE(is_comparable(0, "", "GPa"));
+  EXPECT_FALSE(is_comparable(1, "", "GPa"));
+  EXPECT_FALSE(is_comparable(1, "um", "us"));
+  EXPECT_FALSE(is_comparable(0, "um", "us"));
+  EXPECT_FALSE(is_comparable(1, "J", "J/m2"));
+}
+
 TEST(Units, RoundTrips) {
   for (const char* unit : {"mm", "us", "km/s", "GPa", "g/cm3", "deg", "degC", "J/(kg K)", "%",
                            // sums of a planar run and of a 1d one, per metre of depth and per area

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "../support/small_case.hpp"
 
@@ -95,6 +96,42 @@ TEST(Probes, WallsThreeCellsAwayCountWhereNoneIsNearer) {
   EXPECT_TRUE(reading([&](int item, ExactSums& sums) { probe_surface(state, point, item, sums); }).found);
   const SurfacePoint<2> lost{0, {{0, 1.2e-3}}, {{0, 1}}};
   EXPECT_FALSE(reading([&](int item, ExactSums& sums) { probe_surface(state, lost, item, sums); }).found);
+}
+
+// Beyond a plane of symmetry lies the image of the surface: a slanted wall beside it and its image give a
+// point on the plane a velocity and a normal along it, and it stays there.
+TEST(Probes, APointOnAPlaneOfSymmetryStaysThere) {
+  std::string half = slab;
+  const std::string whole = "x = [\"-4 mm\", \"4 mm\"]";
+  half.replace(half.find(whole), whole.size(),
+               "x = [\"0 mm\", \"4 mm\"]\nboundary = { x = [\"symmetry\", \"outflow\"] }");
+  State<2> state = state_of<2>(case_from(half.c_str()));
+  CutCell<2> cut;
+  cut.surface = {{0.15e-3, 0.2e-3}};
+  cut.point = {{0.1e-3, 0.05e-3}};
+  Wall<2> wall;
+  wall.normal = {{0.6, 0.8}};
+  wall.mean_velocity = {{9, 12}};
+  for (int slot = 0; slot < state.mesh.local(); ++slot)
+    if (state.mesh.block(slot).cells.contains(state.grid().cell_of({{1e-5, 1e-5}}))) {
+      state.bodies[0].at(slot).geometry.cuts.push_back(cut);
+      state.bodies[0].at(slot).walls.push_back(wall);
+    }
+  SurfacePoint<2> point{0, {{0, 0.1e-3}}, {}};
+  for (int k = 0; k < 2; ++k) {
+    const auto r = reading([&](int item, ExactSums& sums) { probe_surface(state, point, item, sums); });
+    ASSERT_TRUE(r.found);
+    EXPECT_EQ(r.velocity[0], 0);
+    EXPECT_NEAR(r.velocity[1], 12, 1e-12);
+    EXPECT_EQ(r.normal, (Vec<2>{{0, 1}}));
+    follow_surface(point, r, 1e-6);
+  }
+  EXPECT_EQ(point.at[0], 0);
+  const auto at_rest = reading([&](int item, ExactSums& sums) {
+    probe_surface_at_rest(state, SurfacePoint<2>{0, {{0, 0.1e-3}}, {}}, item, sums);
+  });
+  EXPECT_EQ(at_rest.velocity[0], 0) << "of the sliding slab the image slides the other way";
+  EXPECT_NEAR(at_rest.velocity[1], 30, 1e-9);
 }
 
 }  // namespace

@@ -183,7 +183,7 @@ TEST(FitsOfASlantedSurface, AnswerToShortWavesBesideContact) {
   const auto rest = moving<2>(hard, {});
   const Vec<2> n{{1, 1}}, middle = middle_of(grid) + Vec<2>{{0.5 * grid.dx, 0}};
   const auto largest_with = [&](std::uint32_t touched) {
-    Prepared<2> p{grid, {half_space(middle, n)}, {rest}, hard};
+    Prepared<2> p{grid, {half_space(middle, n), half_space<2>({{0, -1}}, {{0, -1}})}, {rest, rest}, hard};
     p.for_each_body([&](Body<2>& body, int s, Scratch&) {
       for (const auto& cut : body.at(s).geometry.cuts) body.at(s).contact[cut.cell] = touched;
     });

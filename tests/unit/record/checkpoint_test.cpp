@@ -93,7 +93,7 @@ TEST(Checkpoint, ARunGoesOnToTheSameBits) {
   first.advance_by(25);
   const auto file = first.folder / "checkpoint.h5";
   write_checkpoint(file, "a run", first.state, first.engine.averaged, first.recorder, first.world);
-  for (const char* name : {"history.csv", "events.csv"})
+  for (const char* name : {"history.csv", "events.csv", "fragments.csv"})
     std::filesystem::copy_file(first.folder / name, second.folder / name,
                                std::filesystem::copy_options::overwrite_existing);
 
@@ -130,8 +130,9 @@ TEST(Checkpoint, DamageIsNoticed) {
   const auto refused = [&](const std::string& damaged) {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << damaged;
     Recorded other(folder / "other");
-    std::filesystem::copy_file(run.folder / "history.csv", other.folder / "history.csv",
-                               std::filesystem::copy_options::overwrite_existing);
+    for (const char* name : {"history.csv", "fragments.csv"})
+      std::filesystem::copy_file(run.folder / name, other.folder / name,
+                                 std::filesystem::copy_options::overwrite_existing);
     try {
       read_checkpoint(BlockFile(file), other.state, other.engine.averaged, other.recorder, other.world);
     } catch (const InputError&) {

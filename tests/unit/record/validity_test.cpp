@@ -95,6 +95,9 @@ TEST(Validity, OpenBudgetsAreDoubtfulAndThenStop) {
   v = judged(e);
   EXPECT_EQ(v.kind, Verdict::Kind::stopped);
   EXPECT_EQ(v.reasons.at(0).what, "budget-stop") << "what stops comes first";
+  config::Limits strict;
+  strict.budget_stop = 1e-20;
+  EXPECT_EQ(judged(flyer_and_target(), strict).kind, Verdict::Kind::stopped) << "also below the other limit";
   e.budgets[0].mass = std::nan("");
   EXPECT_EQ(judged(e).kind, Verdict::Kind::stopped);
 }
@@ -119,7 +122,7 @@ TEST(Validity, EveryOtherFindingHasALimitOfItsOwn) {
     Evidence one = flyer_and_target();
     one.bodies[1].states[k].count = 900000;
     one.bodies[1].states[k].amount = 900000;
-    one.bodies[1].heat = 1e6;
+    one.converted = 1e6, one.steps = 1;
     const Verdict v = judged(one);
     if (k == static_cast<std::size_t>(StateCheck::molten)) {
       EXPECT_EQ(v.kind, Verdict::Kind::valid) << "a model that melts is right to";
@@ -138,22 +141,25 @@ TEST(Validity, EveryOtherFindingHasALimitOfItsOwn) {
   EXPECT_EQ(judged(e).reasons.at(0).what, "thickness");
 }
 
-/// Of matter without room and of missing heat it counts how much there is, not in how many cells; what is
-/// below the limit is told.
+/// Of matter without room and of missing heat it counts how much there is, not in how many cells: of the heat
+/// on average over the steps, beside the internal energy that all bodies took up. What is below the limit is
+/// told.
 TEST(Validity, MatterWithoutRoomAndMissingHeatAreMeasured) {
   Evidence e = flyer_and_target();
   StateFinding& overfilled = e.bodies[0].states[static_cast<std::size_t>(StateCheck::overfilled)];
   StateFinding& cold = e.bodies[1].states[static_cast<std::size_t>(StateCheck::negative_heat)];
-  e.bodies[1].heat = 5e7;                             // 50 K in each cell
+  e.converted = 5000, e.steps = 10000;                // J
   overfilled.count = 10000, overfilled.amount = 900;  // 1 % of the cells, 9e-4 of the matter
-  cold.count = 10000, cold.amount = 4e5;              // 40 K in 1 % of the cells, 0.8 % of the heat
+  cold.count = 10000, cold.amount = 4e5;              // 40 J on average, 0.8 %
   Verdict v = judged(e);
   EXPECT_EQ(v.kind, Verdict::Kind::valid);
   ASSERT_EQ(v.remarks.size(), 2U);
   EXPECT_NE(v.remarks[0].find("0.09 % of the matter of flyer had no room in its cells"), std::string::npos)
       << v.remarks[0];
-  EXPECT_NE(v.remarks[1].find("0.8 % of the heat of target was missing in states colder than at the start"),
-            std::string::npos)
+  EXPECT_NE(
+      v.remarks[1].find("target had states colder than at the start: the heat that they lack is 0.8 % of the "
+                        "internal energy that all bodies took up"),
+      std::string::npos)
       << v.remarks[1];
   EXPECT_NE(v.remarks[1].find("the limit is 1 %"), std::string::npos) << v.remarks[1];
   overfilled.amount = 1100, cold.amount = 6e5;
@@ -161,7 +167,7 @@ TEST(Validity, MatterWithoutRoomAndMissingHeatAreMeasured) {
   EXPECT_EQ(v.kind, Verdict::Kind::doubtful);
   EXPECT_EQ(v.reasons.size(), 2U);
   EXPECT_TRUE(v.remarks.empty());
-  overfilled.amount = cold.amount = 5;  // next to nothing is not told
+  overfilled.amount = 5, cold.amount = 400;  // next to nothing is not told
   EXPECT_TRUE(judged(e).remarks.empty());
 }
 

@@ -74,6 +74,22 @@ TEST(ContactSums, WhatWasExchangedAddsUp) {
   EXPECT_EQ(r.force.value(), (Vec<2>{}));
 }
 
+/// A rigid body that has moved across the edge of a period is pushed where it is, not where its image is.
+TEST(ContactSums, MomentsOnAnImageActOnTheBody) {
+  State<2> state = three_bodies();
+  RigidMotion<2>& rigid = *state.bodies[2].rigid;
+  rigid.period = {{0, 10}};
+  rigid.centre = {{0, -6}};
+  Contact<2> c = between(1, 2);
+  c.point = {{1, 3}};
+  c.area = 1;
+  c.traction = -2;
+  state.contacts[0] = {c};
+  book_contacts(state, 0, 1);
+  const PairRecord<2>& r = state.ledger[0].pairs[pair_number(1, 2, 3)];
+  EXPECT_DOUBLE_EQ(r.moment[2].value(), -(3 - 10) * -2) << "the force of -2 N along x acts at y = -7";
+}
+
 /// Of one-sided contacts the lower-numbered body's counts, and the deformable one's beside a rigid body; the
 /// force is always that on the lower-numbered one.
 TEST(ContactSums, OneSidedContactsCountOnce) {

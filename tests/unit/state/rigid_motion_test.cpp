@@ -61,6 +61,46 @@ TEST(RigidMotion, WithoutInertiaItDoesNotTurn) {
   EXPECT_EQ(norm(m.spin), 0);
 }
 
+/// A slab from x = -5 to -4 in a domain of -6 to 6 that is periodic.
+RigidMotion<2> slab() {
+  RigidMotion<2> m;
+  m.distance = [](const Vec<2>& x) { return std::abs(x[0] + 4.5) - 0.5; };
+  m.start_middle = {{-4.5, 0}};
+  m.period = {{12, 0}};
+  return m;
+}
+
+TEST(RigidMotion, ABodyAcrossTheEdgeOfAPeriodIsOnBothSides) {
+  RigidMotion<2> m = slab();
+  set_moving(m, {{-1.7, 0.5}}, {});
+  for (int period = 0; period < 3; ++period) {
+    const RigidPose<2> pose = pose_after(m, 1 + period * 12 / 1.7);  // from -6.7 to -5.7
+    EXPECT_NEAR(distance_at(m, pose, Vec<2>{{-5.9, 3}}), -0.2, 1e-12);
+    EXPECT_NEAR(distance_at(m, pose, Vec<2>{{5.5, -3}}), -0.2, 1e-12);
+    EXPECT_NEAR(distance_at(m, pose, Vec<2>{{4.3, 0}}), 1, 1e-12);
+    EXPECT_NEAR(distance_at(m, pose, Vec<2>{{-4.7, 0}}), 1, 1e-12);
+    EXPECT_NEAR(nearest_image(m, pose, Vec<2>{{5.5, 1}})[0], -6.5 - 12 * period, 1e-12);
+    EXPECT_NEAR(middle_at(m, pose)[1], 0.5 * (1 + period * 12 / 1.7), 1e-12);
+  }
+}
+
+/// Whichever side of the edge one sees of it, what is a quarter beyond its middle goes up by spin times that.
+TEST(RigidMotion, ATurningBodyAcrossTheEdgeHasOneCentre) {
+  RigidMotion<2> m = slab();
+  m.centre = {{-1.5, 0}};  // it has gone from 0 to there: the middle is at -6
+  set_moving(m, {}, {{0, 0, 2}});
+  EXPECT_NEAR(velocity_at(m, Vec<2>{{-5.75, 0}})[1], 2 * (-5.75 + 1.5), 1e-12);
+  EXPECT_NEAR(velocity_at(m, Vec<2>{{5.75, 0}})[1], 2 * (-6.25 + 1.5), 1e-12);
+}
+
+/// A body that cannot turn and is not at the origin has the angular momentum of its centre of mass.
+TEST(RigidMotion, AngularMomentumAtTheStartIsThatOfTheMiddle) {
+  RigidMotion<2> m = slab();
+  set_moving(m, {{3, 4}}, {});
+  set_free(m, 2, Vec<3>{});
+  EXPECT_DOUBLE_EQ(m.mass->start_moment[2], 2 * (-4.5 * 4));
+}
+
 /// A free top with three different moments: angular momentum stays, its energy nearly.
 TEST(RigidMotion, ATopKeepsItsAngularMomentum) {
   RigidMotion<3> m;

@@ -124,6 +124,29 @@ TEST(VelocityHistory, MovesARigidBodyAndItsContact) {
   EXPECT_GT(run.totals(1)[1], 0);
 }
 
+/// Its left face flies from -5 mm to the right face of the block at 4 mm, 3 mm away across the edge.
+TEST(RigidBodies, MeetTheBodyBehindTheEdgeOfAPeriod) {
+  for (const double mass : {0.0, 10.0}) {
+    auto c = case_of(domain_of(Geometry::line, {-6 * mm, 0, 0}, {6 * mm, 0, 0}, Boundary::periodic), 0.1 * mm,
+                     {body_of("piston", box_shape({-5 * mm, 0, 0}, {-4 * mm, 0, 0}), {-900, 0, 0}),
+                      body_of("block", box_shape({2 * mm, 0, 0}, {4 * mm, 0, 0}))});
+    c.bodies[0].rigid = true;
+    c.bodies[0].mass = mass;
+    TestRun<1> run(c, {Material{}, samples::aluminium()});
+    const auto go_to = [&](double time) {
+      while (run.state.time < time) advance(run.state, run.stepping, time, run.engine);
+    };
+    go_to(3.3 * us);
+    EXPECT_EQ(run.received(1).momentum[0], 0) << "the gap is open until 3.333 us";
+    go_to(3.6 * us);
+    EXPECT_LT(run.received(1).momentum[0], 0);
+    EXPECT_LT(run.imbalance(1, 900), 1e-12);
+    if (mass == 0) {
+      EXPECT_NEAR(run.state.bodies[0].rigid->centre[0], -900 * run.state.time, 1e-12);
+    }
+  }
+}
+
 /// The products of a bare charge fill the domain and leave it on all sides.
 TEST(Detonation, ProductsLeaveThroughOpenEdges) {
   const auto domain = domain_of(Geometry::planar, vector_of(-12 * mm, -12 * mm), vector_of(12 * mm, 12 * mm));

@@ -156,6 +156,21 @@ TEST(Prediction, NoPairWhereNothingClosesIn) {
   EXPECT_TRUE(find_plate_pairs(apart.contents).empty());
 }
 
+TEST(Prediction, NoneForBodiesThatDoNotStartFromRest) {
+  for (const char* change : {"body.flyer.pressure=3 GPa", "body.target.temperature=600 K"}) {
+    const LoadedCase loaded = load_case(cases + "flyer_al_cu", {change});
+    EXPECT_TRUE(find_plate_pairs(loaded.contents).empty()) << change;
+    EXPECT_TRUE(predict_touches(loaded.contents, loaded.materials, {}).empty()) << change;
+    ASSERT_EQ(not_predicted(loaded.contents).size(), 1U) << change;
+  }
+  const LoadedCase pressed = load_case(cases + "flyer_al_cu", {"body.flyer.pressure=3 GPa"});
+  EXPECT_NE(not_predicted(pressed.contents).at(0).find("'flyer' are not predicted: it starts at 3 GPa"),
+            std::string::npos);
+  const LoadedCase usual = load_case(cases + "flyer_al_cu", {"body.flyer.pressure=0 GPa"});
+  EXPECT_EQ(find_plate_pairs(usual.contents).size(), 1U);
+  EXPECT_TRUE(not_predicted(usual.contents).empty());
+}
+
 /// Round bodies in domains much larger than they are: the first touch is not where a coarse grid has a point.
 TEST(Prediction, TouchesOfRoundBodiesAreExact) {
   const auto touch = [](const std::string& name) {

@@ -84,6 +84,19 @@ TEST(ResolvedCase, EveryPlanarShapeReadsBack) {
   expect_same_again(written(folder, "planar.toml", planar_case));
 }
 
+TEST(ResolvedCase, TextsMayHoldAnyCharacter) {
+  const ScratchFolder folder;
+  std::string text = planar_case;
+  const std::string title = R"(every \"planar\" shape)";
+  text.replace(text.find(title), title.size(),
+               R"(\\ \" \n \r \t \b \f \u0001 \u0007 \u001B[31m \u007F \u00e4)");
+  const std::string file = written(folder, "control.toml", text);
+  const LoadedCase loaded = load_case(file, {});
+  EXPECT_EQ(loaded.contents.title, "\\ \" \n \r \t \b \f \x01 \a \x1B[31m \x7F \u00e4");
+  const LoadedCase again = load_case(written(folder, "resolved.toml", resolved_text(loaded)), {});
+  EXPECT_EQ(again.contents.title, loaded.contents.title);
+}
+
 constexpr const char* space_case = R"(
 [domain]
 geometry = "3d"

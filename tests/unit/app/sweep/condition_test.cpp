@@ -17,7 +17,7 @@ RunQuantities made_up() {
                        {"failure.plate.time", std::numeric_limits<double>::quiet_NaN()}};
   run.found.flags = {{"event.ricochet", true}, {"event.failure", false}};
   run.names = {"body.plate.failed-mass", "body.plate.position.x", "failure.plate.time", "event.ricochet"};
-  run.units = {
+  run.found.units = {
       {"body.plate.failed-mass", "kg"}, {"body.plate.position.x", "mm"}, {"failure.plate.time", "us"}};
   return run;
 }
@@ -50,6 +50,18 @@ TEST(Condition, AFlagStandsAlone) {
 TEST(Condition, WhatDidNotHappenIsNoTime) {
   EXPECT_FALSE(holds("failure.plate.time < 5 us"));
   EXPECT_FALSE(holds("failure.plate.time > 5 us"));
+}
+
+TEST(Condition, ItsDimensionIsKnownBeforeThereAreValues) {
+  Quantities known;
+  known.numbers = {{"body.plate.position.x", std::numeric_limits<double>::quiet_NaN()}};
+  known.units = {{"body.plate.position.x", "mm"}};
+  known.flags = {{"event.ricochet", false}};
+  EXPECT_NO_THROW(parse_condition("body.plate.position.x > 3 um").check(known));
+  EXPECT_NO_THROW(parse_condition("body.plate.position.x > 0").check(known));
+  EXPECT_NO_THROW(parse_condition("event.ricochet").check(known));
+  EXPECT_THROW(parse_condition("body.plate.position.x > 3 GPa").check(known), InputError);
+  EXPECT_THROW(parse_condition("body.plate.position.x").check(known), InputError);
 }
 
 TEST(Condition, MistakesHaveACure) {

@@ -60,6 +60,18 @@ TEST(Budget, ExchangeEdgesAndRigidBodiesAreAccountedFor) {
   }
 }
 
+TEST(Budget, ConvertedEnergyIsTheLargestChangeOfInternalEnergy) {
+  auto w = watch();
+  EXPECT_EQ(w.converted(), 0);
+  Totals<2> t = start();
+  t.bodies[0].kinetic = 60, t.bodies[0].energy = 90;  // internal energy 30 more, that of b 2 less
+  t.bodies[1].energy = 8;
+  w.look(t);
+  EXPECT_EQ(w.converted(), 32);
+  w.look(start());
+  EXPECT_EQ(w.converted(), 32);
+}
+
 TEST(Budget, ErrorsShowWhereTheyAreAndStay) {
   auto w = watch();
   Totals<2> t = start();
