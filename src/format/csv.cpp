@@ -242,16 +242,14 @@ std::string CsvTable::unit(std::string_view name) const {
 
 CsvTable read_csv(const std::filesystem::path& path) { return parse(path, whole_file(path), false); }
 
-double truncate_csv(const std::filesystem::path& path, double last) {
+void truncate_csv(const std::filesystem::path& path, double last) {
   const std::string text = whole_file(path);
   const auto table = parse(path, text, true);
   const auto times = table.numbers(table.columns.front());
   std::vector<bool> drop;
-  double latest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (drop.size() < table.lines[i]) drop.resize(table.lines[i], false);
     drop[table.lines[i] - 1] = times[i] > last;
-    if (times[i] <= last) latest = times[i];
   }
   std::string kept;
   std::size_t number = 0;
@@ -262,7 +260,6 @@ double truncate_csv(const std::filesystem::path& path, double last) {
     begin = end + 1;
   }
   write_atomically(path, kept);
-  return latest;
 }
 
 }  // namespace recoil

@@ -71,9 +71,8 @@ struct CsvTable {
 CsvTable read_csv(const std::filesystem::path& path);
 
 /// Removes the rows whose first column is later than `last` (in the unit of the file) and a torn last
-/// line, as a resumed run needs. The file is replaced in one step. @returns the first column of the last row
-/// that stays; -inf where none does. @throws InputError, EnvironmentError.
-double truncate_csv(const std::filesystem::path& path, double last);
+/// line, as a resumed run needs. The file is replaced in one step. @throws InputError, EnvironmentError.
+void truncate_csv(const std::filesystem::path& path, double last);
 
 /// The shortest decimal that reads back to the same double; nan, inf and -inf as such.
 std::string format_number(double value);

@@ -12,7 +12,7 @@ constexpr int search_halvings = 4;  // of the widest side of a box in which the 
 constexpr int searches = 16;        // at most; each one is in the box that the last has found
 constexpr double settled = 0.9;     // part of its sides that a box keeps in the last search
 
-constexpr int halvings(int dim) { return dim == 1 ? 16 : dim == 2 ? 9 : 6; }
+constexpr int halvings(int dim) { return dim == 1 ? 16 : dim == 2 ? 9 : 7; }
 
 template <int Dim>
 using Distance = std::function<double(const Vec<Dim>&)>;

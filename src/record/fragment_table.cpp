@@ -1,6 +1,6 @@
 #include "record/fragment_table.hpp"
 
-#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "core/nothing.hpp"
@@ -46,10 +46,10 @@ void FragmentTable<Dim>::open(const std::filesystem::path& path, CsvMode mode, d
   add("diameter", "mm");
   columns.emplace_back("cells");
   if (mode == CsvMode::append) {
-    const bool told =
-        std::ranges::any_of(last_, [](const BodyFragments& b) { return b.pieces > 0 || b.heaps > 0; });
-    if (told) cut_back(path, last);
-    if (!told && std::filesystem::exists(path)) truncate_csv(path, last * 1e6);
+    std::size_t told = 0;
+    for (const BodyFragments& b : last_) told += static_cast<std::size_t>(b.pieces + b.heaps);
+    if (told > 0) cut_back(path, last, told);
+    if (told == 0 && std::filesystem::exists(path)) truncate_csv(path, last * 1e6);
   }
   file_.emplace(path, columns, std::vector<std::string>{}, mode);
 }

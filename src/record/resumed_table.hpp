@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 namespace recoil {
 
-/// Cuts a table of a resumed run, whose first column is `time [us]`, back to the row of `last` [s], the last
-/// one before the checkpoint. @throws InputError where the file lacks that row, or cannot be read;
-/// EnvironmentError.
-void cut_back(const std::filesystem::path& table, double last);
+/// Cuts a table of a resumed run, whose first column is `time [us]`, back to the rows of `last` [s], the last
+/// ones before the checkpoint. @throws InputError where the file has fewer of them than `rows`, or cannot be
+/// read; EnvironmentError.
+void cut_back(const std::filesystem::path& table, double last, std::size_t rows = 1);
 
 }  // namespace recoil
