@@ -35,7 +35,7 @@ template <int Dim>
 constexpr double decay_along = Dim == 3 ? 0.35 : 0.15;
 constexpr double end_exponent = 2.84, most_curved = 0.1;
 constexpr double decay_at_rim = 1.2, rim_curved = 0.02;
-// A surface that is bent with a radius of 6.7 dx or more has no corner, one with half of that has.
+// Curvature times dx up to which a surface has no corner (a radius of 6.7 dx); from twice as much on it has.
 constexpr double corner_curved = 0.15;
 // Part of the way from the donors to the surface that a fit does not go at a corner where friction or glue
 // holds: with all of it glued bodies gain energy there (docs/decisions/0076).
@@ -140,12 +140,12 @@ class Rims {
     return pressed ? std::min(curvature / rim_curved, 1.0) : 0;
   }
 
-  /// How much cell i lies at a corner of the body that touches another one, 0 to 1: some of the cells around
-  /// it are pressed, and by how curved the surface is in one of them.
   struct Corner {
-    double part = 0;
+    double part = 0;    // 0 to 1
     bool held = false;  // by friction or glue
   };
+  /// How much cell i lies at a corner of the body that touches another one: not at all unless one of the
+  /// cells around it is pressed; then by how curved the surface is in the most curved of them.
   Corner corner(const Index<Dim>& i, const double* phi, double dx) const {
     if (Dim == 1 || !any_) return {};
     Box<Dim> around{i, i};

@@ -371,8 +371,7 @@ std::vector<std::string> not_predicted(const Case& c) {
     if (body.temperature) start += fmt::format("{}{:.4g} K", start.empty() ? "" : " and ", *body.temperature);
     reasons.push_back(
         fmt::format("impacts of '{}' are not predicted: it starts at {}, and predictions hold for matter "
-                    "without pressure and "
-                    "at the temperature of its material",
+                    "without pressure and at the temperature of its material",
                     body.name, start));
   }
   return reasons;

@@ -70,9 +70,8 @@ std::string text_of(const Standing& s, const std::string& folder) {
                        where, s.dt_ns, s.wall_s, s.left_s);
   if (s.state == "interrupted")
     return fmt::format(
-        "{}: interrupted (killed, or ended by an error of the machine such as a full disk) beyond {}, which "
-        "it "
-        "had reached after {:.3g} s\n",
+        "{}: interrupted (killed, or ended by an error of the machine such as a full disk) beyond {}, "
+        "which it had reached after {:.3g} s\n",
         folder, where, s.wall_s);
   return fmt::format("{}: {} at {}, after {:.3g} s\n", folder, s.state, where, s.wall_s);
 }
