@@ -8,6 +8,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi)
 pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(UDUNITS REQUIRED IMPORTED_TARGET udunits)
+pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo cairo-pdf cairo-svg cairo-png)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
@@ -21,6 +22,7 @@ target_link_libraries(
             PkgConfig::HDF5
             PkgConfig::TOMLPLUSPLUS
             PkgConfig::UDUNITS
+            PkgConfig::MUPARSER
             PkgConfig::CAIRO
             CLI11::CLI11
             fmt::fmt

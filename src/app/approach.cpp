@@ -155,6 +155,7 @@ struct Surfaces {
     p.first = static_cast<int>(a), p.second = static_cast<int>(b);
     if (c.bodies[a].spin != config::Vector{} || c.bodies[b].spin != config::Vector{}) return p;
     if (c.bodies[a].radial_velocity != 0 || c.bodies[b].radial_velocity != 0) return p;
+    if (c.bodies[a].velocity_field.is_given() || c.bodies[b].velocity_field.is_given()) return p;
     const Vec<Dim> w = config::first_components<Dim>(c.bodies[a].velocity) -
                        config::first_components<Dim>(c.bodies[b].velocity);
     const double speed = norm(w);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "config/declare/kinds.hpp"
@@ -130,6 +131,21 @@ std::vector<WrittenTable> written_tables(const Case& c) {
   return all;
 }
 
+namespace {
+
+/// The largest speed that a body can have by itself at the start, besides its velocity [m/s]; not that of its
+/// turning.
+double own_speed(const Body& body, const Domain& domain) {
+  Bounds b = bounds_of(body.shape, domain);
+  for (std::size_t d = 0; d < 3; ++d) {
+    b.lo[d] = std::clamp(b.lo[d], domain.lo[d], domain.hi[d]);
+    b.hi[d] = std::clamp(b.hi[d], domain.lo[d], domain.hi[d]);
+  }
+  return std::abs(body.radial_velocity) + fastest_in(body.velocity_field, domain.geometry, b.lo, b.hi);
+}
+
+}  // namespace
+
 double largest_closing_speed(const Case& c) {
   const auto velocities_of = [](const Body& body) {
     std::vector<Vector> all{body.velocity};
@@ -143,7 +159,7 @@ double largest_closing_speed(const Case& c) {
       for (const Vector& u : velocities_of(a))
         for (const Vector& v : velocities_of(b))
           largest = std::max(largest, std::hypot(u[0] - v[0], u[1] - v[1], u[2] - v[2]) +
-                                          std::abs(a.radial_velocity) + std::abs(b.radial_velocity));
+                                          own_speed(a, c.domain) + own_speed(b, c.domain));
     }
   return largest;
 }

@@ -31,8 +31,8 @@ bool fills_axis(const Grid<Dim>& grid, const Distance<Dim>& distance, int axis) 
   return fills;
 }
 
-/// After how much of its way the body meets the domain again [m]. One that never moves stays as it is, cut by
-/// the edge; one that fills an axis continues beyond both ends of it, and would meet itself there.
+/// After how much of its way the body meets the domain again [m]. Of one that never moves the shape has the
+/// images; one that fills an axis continues beyond both ends of it, and would meet itself there.
 template <int Dim>
 Vec<Dim> period_of(const Grid<Dim>& grid, const RigidMotion<Dim>& m, bool free) {
   Vec<Dim> period;
@@ -40,18 +40,6 @@ Vec<Dim> period_of(const Grid<Dim>& grid, const RigidMotion<Dim>& m, bool free) 
   for (int d = 0; d < Dim; ++d)
     if (grid.periodic(d) && !fills_axis(grid, m.distance, d)) period[d] = grid.cells[d] * grid.dx;
   return period;
-}
-
-/// The domain with the ends of periods pushed far away: a body that reaches one of them ends there.
-template <int Dim>
-config::Domain without_ends(config::Domain domain, const Vec<Dim>& period) {
-  constexpr double far = 1e3;  // periods
-  for (int d = 0; d < Dim; ++d) {
-    const auto e = static_cast<std::size_t>(d);
-    domain.lo[e] -= far * period[d];
-    domain.hi[e] += far * period[d];
-  }
-  return domain;
 }
 
 /// The centre of mass if the case gives it, else that of the shape in the domain, and of all of it along

@@ -2,10 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include "core/index.hpp"
 
 namespace recoil {
 
 namespace {
+
+template <int Dim>
+using Distance = std::function<double(const Vec<Dim>&)>;
 
 /// A cell is decided where the surface is farther than its corners; else it is halved, down to 1/64.
 template <int Dim>
@@ -23,14 +31,127 @@ double refine(const std::function<double(const Vec<Dim>&)>& distance, const Vec<
   return sum / (1 << Dim);
 }
 
-}  // namespace
+/// After how much a shape is met again along each axis [m]; 0 along those that are not periodic, or that it
+/// reaches across from end to end: there it is its own image.
+template <int Dim>
+Vec<Dim> period_of(const config::Shape& shape, const config::Domain& domain) {
+  const auto* lattice = std::get_if<config::Lattice>(&shape.form);  // whose copies are bodies of their own
+  const config::Bounds bounds = config::bounds_of(lattice ? lattice->copies.front() : shape, domain);
+  Vec<Dim> period;
+  for (int d = 0; d < Dim; ++d) {
+    const auto e = static_cast<std::size_t>(d);
+    if (domain.boundary[e][0] != config::Boundary::periodic) continue;
+    const double length = domain.hi[e] - domain.lo[e], near = 1e-9 * length;
+    const bool across = bounds.lo[e] <= domain.lo[e] + near && bounds.hi[e] >= domain.hi[e] - near;
+    if (!across) period[d] = length;
+  }
+  return period;
+}
+
+/// f(x moved by -1, 0 or 1 periods along each axis), of x in the domain.
+template <int Dim, class F>
+void for_each_image(const Vec<Dim>& x, const Vec<Dim>& period, F&& f) {
+  Box<Dim> sides;
+  for (int d = 0; d < Dim; ++d) {
+    sides.lo[d] = period[d] > 0 ? -1 : 0;
+    sides.hi[d] = period[d] > 0 ? 2 : 1;
+  }
+  for_each(sides, [&](const Index<Dim>& side) {
+    Vec<Dim> image = x;
+    for (int d = 0; d < Dim; ++d) image[d] += side[d] * period[d];
+    f(image);
+  });
+}
+
+/// x moved by whole periods into the domain.
+template <int Dim>
+Vec<Dim> into_domain(Vec<Dim> x, const Vec<Dim>& period, const config::Domain& domain) {
+  for (int d = 0; d < Dim; ++d)
+    if (period[d] > 0)
+      x[d] -= period[d] * std::floor((x[d] - domain.lo[static_cast<std::size_t>(d)]) / period[d]);
+  return x;
+}
 
 template <int Dim>
-std::function<double(const Vec<Dim>&)> signed_distance(const config::Shape& shape,
-                                                       const config::Domain& domain) {
+Distance<Dim> distance_without_images(const config::Shape& shape, const config::Domain& domain) {
   return [shape = config::continued(shape, domain), domain](const Vec<Dim>& x) {
     return config::distance_to(shape, x, domain);
   };
+}
+
+template <int Dim>
+Distance<Dim> distance_with_images(const config::Shape& shape, const config::Domain& domain);
+
+template <int Dim>
+std::vector<Distance<Dim>> distances_of(const std::vector<config::Shape>& parts,
+                                        const config::Domain& domain) {
+  std::vector<Distance<Dim>> all;
+  for (const config::Shape& part : parts) all.push_back(distance_with_images<Dim>(part, domain));
+  return all;
+}
+
+/// Parts that are put together or cut out have images of their own: one may reach across the period, another
+/// not.
+template <int Dim>
+Distance<Dim> distance_with_images(const config::Shape& shape, const config::Domain& domain) {
+  if (const auto* all = std::get_if<config::Union>(&shape.form))
+    return [parts = distances_of<Dim>(all->parts, domain)](const Vec<Dim>& x) {
+      double least = parts.front()(x);
+      for (const auto& part : parts) least = std::min(least, part(x));
+      return least;
+    };
+  if (const auto* rest = std::get_if<config::Difference>(&shape.form))
+    return [parts = distances_of<Dim>(rest->parts, domain)](const Vec<Dim>& x) {
+      double most = parts.front()(x);
+      for (std::size_t k = 1; k < parts.size(); ++k) most = std::max(most, -parts[k](x));
+      return most;
+    };
+  const Vec<Dim> period = period_of<Dim>(shape, domain);
+  if (period == Vec<Dim>{}) return distance_without_images<Dim>(shape, domain);
+  const Distance<Dim> one = distance_without_images<Dim>(shape, without_ends(domain, period));
+  return [one, period, domain](const Vec<Dim>& x) {
+    const Vec<Dim> inside = into_domain(x, period, domain);
+    double least = one(inside);
+    for_each_image(inside, period, [&](const Vec<Dim>& image) { least = std::min(least, one(image)); });
+    return least;
+  };
+}
+
+}  // namespace
+
+template <int Dim>
+Distance<Dim> signed_distance(const config::Shape& shape, const config::Domain& domain) {
+  const auto periodic = [](const auto& ends) { return ends[0] == config::Boundary::periodic; };
+  return std::ranges::any_of(domain.boundary, periodic) ? distance_with_images<Dim>(shape, domain)
+                                                        : distance_without_images<Dim>(shape, domain);
+}
+
+template <int Dim>
+config::Domain without_ends(config::Domain domain, const Vec<Dim>& period) {
+  constexpr double far = 1e3;  // periods
+  for (int d = 0; d < Dim; ++d) {
+    if (period[d] == 0) continue;
+    const auto e = static_cast<std::size_t>(d);
+    domain.lo[e] -= far * period[d];
+    domain.hi[e] += far * period[d];
+    domain.boundary[e] = {config::Boundary::outflow, config::Boundary::outflow};
+  }
+  return domain;
+}
+
+template <int Dim>
+std::function<Vec<Dim>(const Vec<Dim>&)> within_shape(const config::Shape& shape,
+                                                      const config::Domain& domain) {
+  const Vec<Dim> period = period_of<Dim>(shape, domain);
+  if (period == Vec<Dim>{}) return [](const Vec<Dim>& x) { return x; };
+  return
+      [one = distance_without_images<Dim>(shape, without_ends(domain, period)), period](const Vec<Dim>& x) {
+        Vec<Dim> nearest = x;
+        for_each_image(x, period, [&](const Vec<Dim>& image) {
+          if (one(image) < one(nearest)) nearest = image;
+        });
+        return nearest;
+      };
 }
 
 template <int Dim>
@@ -40,8 +161,10 @@ double inside_part(const std::function<double(const Vec<Dim>&)>& distance, const
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                            \
-  template std::function<double(const Vec<Dim>&)> signed_distance<Dim>(const config::Shape&,               \
-                                                                       const config::Domain&);             \
+  template Distance<Dim> signed_distance<Dim>(const config::Shape&, const config::Domain&);                \
+  template config::Domain without_ends<Dim>(config::Domain, const Vec<Dim>&);                              \
+  template std::function<Vec<Dim>(const Vec<Dim>&)> within_shape<Dim>(const config::Shape&,                \
+                                                                      const config::Domain&);              \
   template double inside_part<Dim>(const std::function<double(const Vec<Dim>&)>&, const Vec<Dim>&, double, \
                                    bool);
 RECOIL_INSTANTIATE(1)

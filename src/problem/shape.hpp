@@ -10,11 +10,22 @@ namespace recoil {
 /// Signed distance [m] to a shape, negative inside: exact for single shapes; of a union exact outside and a
 /// bound inside, of an intersection or difference a bound outside, which the level set's redistancing makes a
 /// distance. Next to the surface it is exact but in edges where parts meet. A box, polygon or extrusion that
-/// reaches the edge of the domain continues beyond it: it has no surface there. Planar and axisymmetric
-/// shapes use the first two components of the case's vectors, 1-d the first.
+/// reaches the edge of the domain continues beyond it: it has no surface there. Across periodic edges that is
+/// so of those that reach both; others end where they end, and are met again after each period. Planar and
+/// axisymmetric shapes use the first two components of the case's vectors, 1-d the first.
 template <int Dim>
 std::function<double(const Vec<Dim>&)> signed_distance(const config::Shape& shape,
                                                        const config::Domain& domain);
+
+/// The domain with the ends of periods [m] pushed far away and open: what reaches one of them ends there.
+template <int Dim>
+config::Domain without_ends(config::Domain domain, const Vec<Dim>& period);
+
+/// The function that moves a place in an image of the shape across periodic edges by the period, to where the
+/// shape itself is; other places stay.
+template <int Dim>
+std::function<Vec<Dim>(const Vec<Dim>&)> within_shape(const config::Shape& shape,
+                                                      const config::Domain& domain);
 
 /// Part of a cell of width dx about `centre` that lies inside, weighted with |r| where axisymmetric:
 /// integral of (1 or r) over the inside, divided by dx^Dim [1 or m]. Fine sub-sampling near the surface.

@@ -18,6 +18,7 @@
 #include "material/starting_state.hpp"
 #include "problem/rigid_start.hpp"
 #include "problem/shape.hpp"
+#include "problem/starting_velocity.hpp"
 
 namespace recoil {
 
@@ -36,46 +37,10 @@ Edge edge_of(config::Boundary b) {
   }
 }
 
-/// Velocity at the start of a body at x away from its centre or the axis [m/s].
 template <int Dim>
-Vec<Dim> radial_velocity_at(const config::Body& body, const Vec<Dim>& x, bool axisymmetric) {
-  Vec<Dim> away = x - first_components<Dim>(body.radial_centre);
-  if (body.radial_from_axis) {
-    away = {};
-    away[0] = x[0];
-  }
-  const double distance = norm(away);
-  if (distance == 0) return {};
-  double speed = body.radial_velocity;
-  if (body.radial_falls_from > 0 && distance > body.radial_falls_from) {
-    const bool about_a_point = Dim == 3 || (axisymmetric && !body.radial_from_axis);
-    speed *= std::pow(body.radial_falls_from / distance, about_a_point ? 2 : 1);
-  }
-  return (speed / distance) * away;
-}
-
-/// Velocity at the start of a body at x [m/s]: of its motion, of its turning, and away from a point or the
-/// axis.
-template <int Dim>
-Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x, bool axisymmetric) {
-  Vec<Dim> u = first_components<Dim>(body.velocity);
-  if constexpr (Dim > 1) {
-    const Vec<Dim> r = x - first_components<Dim>(body.spin_centre);
-    u[0] -= body.spin[2] * r[1];
-    u[1] += body.spin[2] * r[0];
-    if constexpr (Dim == 3) {
-      u[0] += body.spin[1] * r[2];
-      u[1] -= body.spin[0] * r[2];
-      u[2] += body.spin[0] * r[1] - body.spin[1] * r[0];
-    }
-  }
-  if (body.radial_velocity != 0) u += radial_velocity_at(body, x, axisymmetric);
-  return u;
-}
-
-template <int Dim>
-void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells, const config::Body& from,
-                const std::function<double(const Vec<Dim>&)>& distance, const StartingState& state,
+void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells,
+                const std::function<double(const Vec<Dim>&)>& distance,
+                const std::function<Vec<Dim>(const Vec<Dim>&)>& velocity, const StartingState& state,
                 BodyBlock<Dim>& b) {
   using C = Components<Dim>;
   const Box<Dim> layout = grid.layout();
@@ -91,8 +56,9 @@ void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells, const config::Body
                    : inside_part(distance, x, grid.dx, grid.axisymmetric) * grid.dx_power(Dim);
     if (std::abs(v - full) < 1e-12 * full) v = full;
     if (v < 1e-12 * full) v = 0;
+    if (v == 0) return;
     b.volume[k] = v;
-    const Vec<Dim> u = velocity_at(from, x, grid.axisymmetric);
+    const Vec<Dim> u = velocity(x);
     b.contents[k] = v * rho;
     for (std::size_t d = 0; d < Dim; ++d) b.contents[(C::u + d) * n + k] = v * rho * u[static_cast<int>(d)];
     b.contents[C::energy * n + k] = v * rho * (0.5 * dot(u, u) + state.energy);
@@ -101,7 +67,7 @@ void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells, const config::Body
 }
 
 template <int Dim>
-void place_body(State<Dim>& state, int m, const config::Body& from,
+void place_body(State<Dim>& state, int m, const config::Body& from, const config::Domain& domain,
                 const std::function<double(const Vec<Dim>&)>& distance) {
   Body<Dim>& body = state.bodies[m];
   const double far = far_cells * state.grid().dx;
@@ -125,7 +91,8 @@ void place_body(State<Dim>& state, int m, const config::Body& from,
       b.phi[layout.at(i - cells.lo)] = std::clamp(distance(grid.centre(i)), -far, far);
     });
     b.phi_midstep = b.phi;
-    if (!body.rigid) fill_block(grid, cells, from, distance, matter, b);
+    if (body.rigid) continue;
+    fill_block(grid, cells, distance, starting_velocity<Dim>(from, domain, grid.dx), matter, b);
   }
 }
 
@@ -313,7 +280,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
     const auto source = std::ranges::find(c.bodies, c.bodies[m].fragments_of, &config::Body::name);
     if (source != c.bodies.end()) body.fragments_of = static_cast<int>(source - c.bodies.begin());
     state.bodies.push_back(std::move(body));
-    place_body(state, static_cast<int>(m), c.bodies[m], distance[m]);
+    place_body(state, static_cast<int>(m), c.bodies[m], c.domain, distance[m]);
   }
   const auto n = c.bodies.size();
   for (std::size_t a = 0; a < n; ++a)

@@ -46,6 +46,7 @@ std::vector<StartMotion> start_motions(const config::Case& c) {
     if (body.radial_velocity != 0)
       parts.push_back(fmt::format("{:.4g} m/s {}", std::abs(body.radial_velocity),
                                   body.radial_velocity > 0 ? "outwards" : "inwards"));
+    if (body.velocity_field.is_given()) parts.emplace_back("by formulas");
     if (!parts.empty()) motions.push_back({m, velocity, fmt::format("{}", fmt::join(parts, ", "))});
   }
   return motions;

@@ -32,6 +32,9 @@ void check_gases(LoadedCase& loaded);
 /// Nothing that moves, bodies that fly apart, impacts that no equation of state reaches.
 void check_motion(LoadedCase& loaded);
 
+/// Formulas of velocities that have no finite value somewhere in their body, among samples.
+void check_velocity_fields(LoadedCase& loaded);
+
 /// Plates without damage that releases will pull harder than their material bears.
 void check_tension(LoadedCase& loaded);
 

@@ -25,7 +25,8 @@ using config::Case;
 
 bool moves(const Body& b) {
   return b.velocity != config::Vector{} || b.spin != config::Vector{} || b.radial_velocity != 0 ||
-         !b.velocity_history.empty() || !b.detonation.points.empty() || b.pressure.value_or(0) != 0;
+         b.velocity_field.is_given() || !b.velocity_history.empty() || !b.detonation.points.empty() ||
+         b.pressure.value_or(0) != 0;
 }
 
 double distance_of(const Body& b, const config::Vector& x, const config::Domain& domain) {
@@ -97,7 +98,7 @@ void check_rigid_pair(LoadedCase& loaded, const Approach& p) {
 bool may_come_back(const config::Domain& domain, const Body& a, const Body& b) {
   const auto only_goes_along = [](const Body& body, int axis) {
     return body.velocity[axis] == 0 && body.spin == config::Vector{} && body.radial_velocity == 0 &&
-           body.velocity_history.empty();
+           !body.velocity_field.is_given() && body.velocity_history.empty();
   };
   for (int d = 0; d < config::dimension(domain.geometry); ++d)
     for (const config::Boundary end : domain.boundary[d])
@@ -194,7 +195,8 @@ void check_motion(LoadedCase& loaded) {
   if (std::none_of(c.bodies.begin(), c.bodies.end(), moves)) {
     loaded.found.error(
         c.bodies.front().place,
-        "nothing moves: no body has a velocity, a spin, a radial-velocity, a pressure or a detonation",
+        "nothing moves: no body has a velocity, a spin, a radial-velocity, a velocity-field, a pressure or a "
+        "detonation",
         fmt::format("e.g. velocity = {{ {} = \"450 m/s\" }} in [body.{}]",
                     config::axes_of(c.domain.geometry).front(), c.bodies.front().name));
     return;

@@ -9,66 +9,11 @@
 #include <vector>
 
 #include "config/declare/kinds.hpp"
+#include "config/section/velocity.hpp"
 
 namespace recoil::config {
 
 namespace {
-
-/// The other form of a velocity.
-struct PolarVelocity {
-  double speed = 0;                 // m/s
-  double angle = 0, elevation = 0;  // rad
-
-  static constexpr const char* doc = "A velocity given by its size and direction (planar, 3d).";
-  static Entries<PolarVelocity> keys() {
-    return {{.name = "speed",
-             .member = &PolarVelocity::speed,
-             .unit = "m/s",
-             .least = 0,
-             .required = true,
-             .doc = "size of the velocity",
-             .example = R"("1 km/s")"},
-            {.name = "angle",
-             .member = &PolarVelocity::angle,
-             .unit = "rad",
-             .doc = "from the x axis towards y",
-             .example = R"("-10 deg")"},
-            {.name = "elevation",
-             .member = &PolarVelocity::elevation,
-             .unit = "rad",
-             .doc = "from the plane of x and y towards z",
-             .example = R"("30 deg")",
-             .only_in = {Geometry::space}}};
-  }
-};
-
-void read_velocity(Body& body, const TableReading& reading, const Key& key) {
-  const CaseReading& in = reading.in;
-  const Node& node = *reading.record.node(key.name);
-  if (!node.find("speed") && !node.find("angle") && !node.find("elevation")) {
-    body.velocity = read_vector(node, key, in.out, in.axes);
-    return;
-  }
-  if (in.geometry != Geometry::planar && in.geometry != Geometry::space)
-    return in.out.error(
-        node.place,
-        fmt::format("a velocity by speed and angle exists in geometries \"planar\" and \"3d\", not in \"{}\"",
-                    name_of(in.geometry)),
-        fmt::format("give its components {}", fmt::join(in.axes, ", ")));
-  PolarVelocity polar;
-  read_struct(node, polar, in);
-  body.velocity = pointing(polar.angle, polar.elevation);
-  for (double& component : body.velocity) component *= polar.speed;
-}
-
-Custom<Body> custom_velocity() {
-  return {Key::Type::vector, false, read_velocity,
-          [](const Body& body, const char*, const Writing& how) { return how.vector(body.velocity, "m/s"); },
-          [](const std::string& path, std::vector<Section>& all) {
-            add_sections<PolarVelocity>(path, all);
-            all.back().kind = "polar";
-          }};
-}
 
 Custom<Body> custom_shape() {
   return {Key::Type::table, true,
@@ -83,15 +28,19 @@ Custom<Body> custom_shape() {
           }};
 }
 
-Custom<Body> custom_detonation() {
+/// A member that is a table of keys.
+template <auto M>
+Custom<Body> custom_table() {
   return {Key::Type::table, true,
           [](Body& body, const TableReading& reading, const Key& key) {
-            read_struct(*reading.record.node(key.name), body.detonation, reading.in);
+            read_struct(*reading.record.node(key.name), body.*M, reading.in);
           },
           [](const Body& body, const char*, const Writing& how) {
-            return inline_table(written_keys(body.detonation, how));
+            return inline_table(written_keys(body.*M, how));
           },
-          [](const std::string& path, std::vector<Section>& all) { add_sections<Detonation>(path, all); }};
+          [](const std::string& path, std::vector<Section>& all) {
+            add_sections<typename MemberOf<decltype(M)>::Value>(path, all);
+          }};
 }
 
 /// A velocity over time is that of a rigid body that nothing else moves.
@@ -176,6 +125,12 @@ void check_radial(Body& body, const TableReading& reading) {
     reading.refuse("radial-velocity",
                    "'radial-velocity' needs 'radial-centre', the point that the body flies away from",
                    "e.g. radial-centre = { x = \"0 mm\" }");
+}
+
+void check_field(const Body& body, const TableReading& reading) {
+  if (reading.has("velocity-field") && body.rigid)
+    reading.refuse("velocity-field", "a rigid body cannot bend or stretch",
+                   "give it a 'velocity' and a 'spin'");
 }
 
 void check_state(const Body& body, const TableReading& reading) {
@@ -283,7 +238,7 @@ Entries<Body> keys_of_state() {
        .example = R"("500 K")",
        .when = [](const Body& b) { return b.temperature && has_start(b); }},
       {.name = "detonation",
-       .member = custom_detonation(),
+       .member = custom_table<&Body::detonation>(),
        .doc = "lights an explosive, a material with an equation of state of kind \"jwl\"",
        .example = R"({ points = [{ x = "0 mm" }] })",
        .when = [](const Body& b) { return !b.detonation.points.empty(); }}};
@@ -326,6 +281,11 @@ Entries<Body> keys_of_start() {
        .doc = "the point about which it turns",
        .example = R"({ x = "1 mm" })",
        .when = [](const Body& b) { return turns(b) && !is_free(b); }},
+      {.name = "velocity-field",
+       .member = custom_table<&Body::velocity_field>(),
+       .doc = "at the start, by formulas of the coordinates: bending, stretching, waves; added to 'velocity'",
+       .example = "{ y = \"20*m/s * sin(pi*x/(60*mm))\" }",
+       .when = [](const Body& b) { return b.velocity_field.is_given(); }},
       {.name = "velocity-history",
        .member = custom_velocity_history(),
        .unit = "m/s",
@@ -350,6 +310,7 @@ void Body::check(const TableReading& reading) {
   check_free_body(*this, reading);
   check_spin(*this, reading);
   check_radial(*this, reading);
+  check_field(*this, reading);
   check_history(*this, reading);
   check_state(*this, reading);
   has_centre_of_mass = reading.has("centre-of-mass");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/section/detonation.hpp"
+#include "config/section/velocity_field.hpp"
 #include "config/section/velocity_history.hpp"
 #include "config/shape/shape.hpp"
 
@@ -28,6 +29,7 @@ struct Body {
   Vector radial_centre{};           // m
   bool radial_from_axis = false;    // away from the axis of an axisymmetric domain instead
   double radial_falls_from = 0;     // m, the distance from which radial_velocity falls; 0: it does not
+  VelocityField velocity_field;     // added to the velocities above
   std::vector<TimedVelocity> velocity_history;  // of a rigid body; empty: it keeps its velocity
   Detonation detonation;
   std::optional<double> pressure;     // Pa, at the start; none: 0

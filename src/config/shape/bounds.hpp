@@ -1,8 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "config/shape/extent.hpp"
 #include "config/shape/slabs.hpp"
@@ -17,6 +20,20 @@ struct Bounds {
   static Bounds around(const Vector& centre, double radius) {
     Bounds b;
     for (std::size_t d = 0; d < 3; ++d) b.lo[d] = centre[d] - radius, b.hi[d] = centre[d] + radius;
+    return b;
+  }
+  /// Around points of the plane that are turned about a centre [rad, counter-clockwise].
+  static Bounds of_corners(const std::vector<std::array<double, 2>>& corners, double rotation,
+                           const Vector& centre) {
+    Bounds b;
+    for (std::size_t d = 0; d < 2; ++d) std::swap(b.lo[d], b.hi[d]);
+    for (const auto& corner : corners) {
+      const Vec<2> x = turned_back(-rotation, centre, Vec<2>{corner});
+      for (std::size_t d = 0; d < 2; ++d) {
+        b.lo[d] = std::min(b.lo[d], x.c[d]);
+        b.hi[d] = std::max(b.hi[d], x.c[d]);
+      }
+    }
     return b;
   }
   /// The box that holds both.

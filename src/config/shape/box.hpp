@@ -80,7 +80,11 @@ struct Box {
   }
   bool along_mesh() const { return rotation == 0; }
 
-  Bounds bounds(const Domain& /*domain*/) const { return rotation == 0 ? Bounds{lo, hi} : Bounds{}; }
+  Bounds bounds(const Domain& /*domain*/) const {
+    if (rotation == 0) return {lo, hi};
+    return Bounds::of_corners({{lo[0], lo[1]}, {hi[0], lo[1]}, {hi[0], hi[1]}, {lo[0], hi[1]}}, rotation,
+                              centre);
+  }
   Extent extent(Geometry /*geometry*/) const { return rotation == 0 ? Extent{true, lo, hi} : Extent{}; }
 };
 

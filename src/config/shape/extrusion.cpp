@@ -78,4 +78,18 @@ Extrusion Extrusion::continued(const Domain& domain) const {
   return s;
 }
 
+Bounds Extrusion::bounds(const Domain& /*domain*/) const {
+  const auto [first, second] = across(along);
+  const Bounds outline = Bounds::of_corners(vertices, 0, {});
+  Bounds b;
+  const auto set = [&](int axis, double lo, double hi) {
+    b.lo[static_cast<std::size_t>(axis)] = lo;
+    b.hi[static_cast<std::size_t>(axis)] = hi;
+  };
+  set(first, outline.lo[0], outline.hi[0]);
+  set(second, outline.lo[1], outline.hi[1]);
+  set(along, extent()[0], extent()[1]);
+  return b;
+}
+
 }  // namespace recoil::config

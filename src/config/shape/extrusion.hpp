@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "config/declare/entry.hpp"
-#include "config/shape/extent.hpp"
+#include "config/shape/bounds.hpp"
 #include "config/shape/outline.hpp"
 #include "config/shape/slabs.hpp"
 #include "core/error.hpp"
@@ -33,6 +33,7 @@ struct Extrusion {
   }
   /// With those end faces that lie on the edge of the domain pushed far beyond it.
   Extrusion continued(const Domain& domain) const;
+  Bounds bounds(const Domain& domain) const;
 
  private:
   std::array<double, 2>& extent() { return along == 0 ? x : along == 1 ? y : z; }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "config/declare/entry.hpp"
-#include "config/shape/extent.hpp"
+#include "config/shape/bounds.hpp"
 #include "config/shape/outline.hpp"
 #include "config/shape/slabs.hpp"
 #include "core/error.hpp"
@@ -45,6 +45,8 @@ struct Polygon {
     require(false, "a shape of a kind that this dimension has");
     return 0;
   }
+
+  Bounds bounds(const Domain& /*domain*/) const { return Bounds::of_corners(vertices, rotation, centre); }
 
  private:
   static void read_vertices(Polygon& polygon, const TableReading& reading, const Key& key);
