@@ -31,8 +31,8 @@ double refine(const std::function<double(const Vec<Dim>&)>& distance, const Vec<
   return sum / (1 << Dim);
 }
 
-/// After how much a shape is met again along each axis [m]; 0 along those that are not periodic, or that it
-/// reaches across from end to end: there it is its own image.
+/// After how much a shape is met again along each axis [m]; 0 along those that are not periodic, or along
+/// which it is as long as the period: it then is as it is drawn.
 template <int Dim>
 Vec<Dim> period_of(const config::Shape& shape, const config::Domain& domain) {
   const auto* lattice = std::get_if<config::Lattice>(&shape.form);  // whose copies are bodies of their own
@@ -41,9 +41,8 @@ Vec<Dim> period_of(const config::Shape& shape, const config::Domain& domain) {
   for (int d = 0; d < Dim; ++d) {
     const auto e = static_cast<std::size_t>(d);
     if (domain.boundary[e][0] != config::Boundary::periodic) continue;
-    const double length = domain.hi[e] - domain.lo[e], near = 1e-9 * length;
-    const bool across = bounds.lo[e] <= domain.lo[e] + near && bounds.hi[e] >= domain.hi[e] - near;
-    if (!across) period[d] = length;
+    const double length = domain.hi[e] - domain.lo[e];
+    if (bounds.hi[e] - bounds.lo[e] < length * (1 - 1e-9)) period[d] = length;
   }
   return period;
 }
@@ -90,7 +89,7 @@ std::vector<Distance<Dim>> distances_of(const std::vector<config::Shape>& parts,
   return all;
 }
 
-/// Parts that are put together or cut out have images of their own: one may reach across the period, another
+/// Parts that are put together or cut out have images of their own: one may be as long as the period, another
 /// not.
 template <int Dim>
 Distance<Dim> distance_with_images(const config::Shape& shape, const config::Domain& domain) {
