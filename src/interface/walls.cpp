@@ -8,6 +8,7 @@
 
 #include "contact/friction.hpp"
 #include "contact/touch.hpp"
+#include "interface/contact_direction.hpp"
 #include "interface/surface_state.hpp"
 #include "interface/surface_view.hpp"
 #include "material/eos/isentrope.hpp"
@@ -79,16 +80,16 @@ void act(Side<Dim>& s, const Vec<Dim>& force, double power, const Vec<Dim>& velo
 
 /// Direction from the first body into the second, and the area that their surfaces share.
 template <int Dim>
-double shared_area(const BlockStage<Dim>& a, const Side<Dim>& first, const Side<Dim>& second, Vec<Dim>& e) {
+double shared_area(const BlockStage<Dim>& a, const Side<Dim>& first, const Side<Dim>& second,
+                   const Index<Dim>& i, Vec<Dim>& e) {
   if (second.rigid) {
     const Grid<Dim>& grid = a.state().grid();
     e = -rigid_normal(grid, *a.view.body(second.body).rigid, a.view.pose[second.body], first.cut->point);
     const double own = dot(first.rest, e);
     return grid.axisymmetric ? own : std::min(own, norm(second.cut->surface) * rigid_slack);
   }
-  const Vec<Dim> difference = first.rest - second.rest;
-  if (norm(difference) < no_direction * a.area) return 0;
-  e = unit(difference);
+  if (norm(first.rest - second.rest) < no_direction * a.area) return 0;
+  e = direction_between(a.view, {first.body, first.rest}, {second.body, second.rest}, i);
   return std::min(dot(first.rest, e), -dot(second.rest, e));
 }
 
@@ -167,7 +168,7 @@ template <int Dim>
 void try_pair(const BlockStage<Dim>& a, Side<Dim>& first, Side<Dim>& second, double gap,
               const Cluster<Dim>& c) {
   Vec<Dim> e;
-  const double area = shared_area(a, first, second, e);
+  const double area = shared_area(a, first, second, c.cell, e);
   if (area <= least_shared * c.face) return;
   const Body<Dim>&one = a.view.body(first.body), &other = a.view.body(second.body);
   const bool was = a.view.was_in_contact(first.body, second.body, c.cell);

@@ -41,8 +41,9 @@ Vec<Dim> period_of(const config::Shape& shape, const config::Domain& domain) {
   for (int d = 0; d < Dim; ++d) {
     const auto e = static_cast<std::size_t>(d);
     if (domain.boundary[e][0] != config::Boundary::periodic) continue;
-    const double length = domain.hi[e] - domain.lo[e];
-    if (bounds.hi[e] - bounds.lo[e] < length * (1 - 1e-9)) period[d] = length;
+    const double length = domain.hi[e] - domain.lo[e], near = 1e-9 * length;
+    const bool across = bounds.lo[e] <= domain.lo[e] + near && bounds.hi[e] >= domain.hi[e] - near;
+    if (!across && bounds.hi[e] - bounds.lo[e] <= length + near) period[d] = length;
   }
   return period;
 }

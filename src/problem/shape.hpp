@@ -11,8 +11,9 @@ namespace recoil {
 /// bound inside, of an intersection or difference a bound outside, which the level set's redistancing makes a
 /// distance. Next to the surface it is exact but in edges where parts meet. A box, polygon or extrusion that
 /// reaches the edge of the domain continues beyond it: it has no surface there. Across periodic edges that is
-/// so of those that are as long as the period; others end where they end, and are met again after each
-/// period. Planar and axisymmetric shapes use the first two components of the case's vectors, 1-d the first.
+/// so of those that reach both of them, or are longer than the period; others end where they end, and are met
+/// again after each period. Planar and axisymmetric shapes use the first two components of the case's vectors,
+/// 1-d the first.
 template <int Dim>
 std::function<double(const Vec<Dim>&)> signed_distance(const config::Shape& shape,
                                                        const config::Domain& domain);

@@ -25,6 +25,11 @@ TEST(PeriodicShapes, AreMetAgainAfterThePeriod) {
   EXPECT_NEAR(at<2>(ball, periodic(plane), {{7 + 36, 0}}), 1, 1e-12) << "beyond the domain as in it";
 }
 
+/// A ball as wide as the domain, but not in its middle.
+TEST(PeriodicShapes, AreWholeIfNoLongerThanThePeriod) {
+  EXPECT_NEAR(at<2>(ball_shape(vector_of(4, 0), 9), periodic(plane), {{-8.5, 0}}), -3.5, 1e-12);
+}
+
 TEST(PeriodicShapes, BoxesThatReachOneEndEndThere) {
   const auto box = box_shape(vector_of(-9, -1), vector_of(-5, 1));
   EXPECT_NEAR(at<2>(box, periodic(plane), {{-8.7, 0}}), -0.3, 1e-12);
