@@ -12,8 +12,8 @@ namespace recoil {
 /// distance. Next to the surface it is exact but in edges where parts meet. A box, polygon or extrusion that
 /// reaches the edge of the domain continues beyond it: it has no surface there. Across periodic edges that is
 /// so of those that reach both of them, or are longer than the period; others end where they end, and are met
-/// again after each period. Planar and axisymmetric shapes use the first two components of the case's vectors,
-/// 1-d the first.
+/// again after each period. Planar and axisymmetric shapes use the first two components of the case's
+/// vectors, 1-d the first.
 template <int Dim>
 std::function<double(const Vec<Dim>&)> signed_distance(const config::Shape& shape,
                                                        const config::Domain& domain);
