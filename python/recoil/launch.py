@@ -87,6 +87,13 @@ def _split(said):
     return told, "\n\n".join(failed) or said.strip()
 
 
+def _as_arguments(text):
+    """Options of the program that a message advises, as arguments of `run`."""
+    for option, argument in (("--force replaces", "force=True replaces"), ("-o chooses", "out=... chooses")):
+        text = text.replace(option, argument)
+    return text
+
+
 def run(case, out=None, overrides=None, *, ranks=None, threads=None, force=False):
     """Runs a case and opens its results.
 
@@ -114,6 +121,6 @@ def run(case, out=None, overrides=None, *, ranks=None, threads=None, force=False
         return Run(folder)
     if code < 0:
         raise errors.EnvironmentError(f"signal {signal.Signals(-code).name} ended the program. {error}", folder)
-    failed = FAILED.get(code, errors.InternalError)(error, folder)
+    failed = FAILED.get(code, errors.InternalError)(_as_arguments(error), folder)
     failed.exit_code = code
     raise failed

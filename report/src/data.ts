@@ -9,6 +9,7 @@ export interface Column {
 }
 
 export interface Curve {
+  kind: "reference" | "prediction";
   label: string;
   column: string;
   x: (number | null)[];
@@ -183,6 +184,7 @@ export interface Run {
   predicted: string;
   case: string;
   resolved: string;
+  changes: string[]; // of the command line, PATH=VALUE
   events: RunEvent[];
   fragments: { columns: string[]; rows: string[][]; left_out: number };
   bodies: { name: string; material: string }[];

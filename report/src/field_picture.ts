@@ -4,6 +4,7 @@ import { type Scale, curveColour, pictureOf } from "./colours";
 import type { Frame, Variable } from "./data";
 import { cssColour } from "./dom";
 import type { Outline } from "./field_store";
+import { type PixelLine, type PlacedName, placedNames } from "./name_places";
 import { PlotArea, type Span, drawAxes, drawCategories, drawColourBar } from "./plot_area";
 
 /** Everything that a picture shows. */
@@ -67,25 +68,49 @@ function drawOutlines(context: CanvasRenderingContext2D, area: PlotArea, scene: 
     }
 }
 
-/** The names of the bodies, in the middle of each. */
-function drawNames(context: CanvasRenderingContext2D, area: PlotArea, scene: FieldScene): void {
+/** The outlines of a body in pixels, on both sides of the axis where the picture is mirrored. */
+function pixelLines(area: PlotArea, scene: FieldScene, body: number): PixelLine[] {
+  const own = scene.outlines.filter((o) => o.body === body);
+  return (scene.mirror ? [1, -1] : [1]).flatMap((sign) =>
+    own.map((o) => ({
+      closed: o.closed,
+      x: Array.from(o.x, (x) => area.px(sign * x)),
+      y: Array.from(o.y, (y) => area.py(y)),
+    })),
+  );
+}
+
+/** The names of the bodies, inside of each; a line leads to the body from a name that had no room there. */
+function drawNames(context: CanvasRenderingContext2D, area: PlotArea, scene: FieldScene): PlacedName[] {
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.lineWidth = 3;
   context.strokeStyle = cssColour("--card");
   context.fillStyle = cssColour("--ink");
-  scene.bodies.forEach((name, body) => {
-    const lines = scene.outlines.filter((o) => o.body === body);
-    if (lines.length === 0) return;
-    const middle = (of: (o: Outline) => Float32Array) => {
-      const all = lines.flatMap((o) => [...of(o)]);
-      return 0.5 * (Math.min(...all) + Math.max(...all));
-    };
-    const x = area.px(scene.mirror ? 0 : middle((o) => o.x));
-    const y = area.py(middle((o) => o.y));
+  const named = scene.bodies.map((name, body) => ({
+    name,
+    width: context.measureText(name).width,
+    height: 15,
+    lines: pixelLines(area, scene, body),
+  }));
+  const placed = placedNames(named, area);
+  for (const { name, x, y, inside } of placed) {
+    if (inside[0] !== x || inside[1] !== y) drawLeader(context, [x, y], inside);
     context.strokeText(name, x, y);
     context.fillText(name, x, y);
-  });
+  }
+  return placed;
+}
+
+function drawLeader(context: CanvasRenderingContext2D, from: [number, number], to: [number, number]): void {
+  context.save();
+  context.strokeStyle = context.fillStyle;
+  context.lineWidth = 1;
+  context.beginPath();
+  context.moveTo(...from);
+  context.lineTo(...to);
+  context.stroke();
+  context.restore();
 }
 
 /** A mark on every cell whose surface touches, slips or has opened. */
@@ -152,9 +177,10 @@ function drawCurve(context: CanvasRenderingContext2D, area: PlotArea, scene: Fie
   }
 }
 
-/** Draws a scene. */
-export function drawField(context: CanvasRenderingContext2D, area: PlotArea, scene: FieldScene): void {
+/** Draws a scene. Returns where the names of bodies stand. */
+export function drawField(context: CanvasRenderingContext2D, area: PlotArea, scene: FieldScene): PlacedName[] {
   const line = scene.frame.ny === 1;
+  let names: PlacedName[] = [];
   context.save();
   area.clip(context);
   if (line) {
@@ -163,13 +189,14 @@ export function drawField(context: CanvasRenderingContext2D, area: PlotArea, sce
     drawImage(context, area, scene);
     drawOutlines(context, area, scene);
     drawContact(context, area, scene);
-    drawNames(context, area, scene);
+    names = drawNames(context, area, scene);
   }
   drawProbe(context, area, scene);
   context.restore();
   const [x, y] = scene.axes;
   drawAxes(context, area, [`${x ?? "x"} [mm]`, line ? scene.variable.label + scene.scale.note : `${y ?? "y"} [mm]`]);
   if (!line) drawKey(context, area, scene.variable, scene.scale);
+  return names;
 }
 
 /** The meaning of the colours, to the right of the area. */
@@ -189,4 +216,26 @@ export function drawKey(
 export function roomy(range: Span): Span {
   const margin = 0.04 * (range.to - range.from || 1);
   return { from: range.from - margin, to: range.to + margin };
+}
+
+/** Room around the area: for labels and titles, and on the right for the colour bar. */
+const MARGIN = { left: 56, top: 26, right: 100, bottom: 42 };
+const LEAST_WIDTH = 220; // of the area, for the titles above it
+
+/** The area for a curve over x, on a canvas of some width. */
+export function curveArea(width: number, x: Span, range: Span): { area: PlotArea; height: number } {
+  const { left, top, bottom } = MARGIN;
+  const height = 330;
+  return { area: new PlotArea(left, top, width - left - 16, height - top - bottom, x, roomy(range)), height };
+}
+
+/** The area for a plane at equal scales, at most so high; what is narrow has void on both sides. */
+export function planeArea(width: number, most: number, x: Span, y: Span): { area: PlotArea; height: number } {
+  const { left, top, right, bottom } = MARGIN;
+  const room = width - left - right;
+  const perMm = Math.min(room / (x.to - x.from), most / (y.to - y.from));
+  const beside = Math.max(0, Math.min(LEAST_WIDTH, room) / perMm - (x.to - x.from)) / 2;
+  const shown = { from: x.from - beside, to: x.to + beside };
+  const area = new PlotArea(left, top, perMm * (shown.to - shown.from), perMm * (y.to - y.from), shown, y);
+  return { area, height: Math.max(area.height, 110) + top + bottom };
 }

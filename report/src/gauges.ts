@@ -12,8 +12,22 @@ interface Line {
   label: string;
   x: ArrayLike<number | null>;
   y: ArrayLike<number | null>;
-  dashed: boolean;
+  kind: "run" | Curve["kind"];
 }
+
+const DENSE = 150; // more points than this are a line of dots
+
+/** How a line looks: those of runs solid, predictions dashed in the colour of text, references in dots of colour. */
+function lookOf(line: Line, which: number): { stroke: string; width: number; dash?: number[]; points: uPlot.Series.Points } {
+  if (line.kind === "run") return { stroke: curveColour(which), width: 1.6, points: { show: false } };
+  if (line.kind === "prediction")
+    return { stroke: cssColour("--ink-2"), width: 1.4, dash: [6, 4], points: { show: false } };
+  const stroke = curveColour(which);
+  if (line.x.length > DENSE) return { stroke, width: 2, dash: [2, 3], points: { show: false } };
+  return { stroke, width: 1, dash: [1, 3], points: { show: true, size: 5, stroke, fill: stroke } };
+}
+
+const LEGEND_BORDER = { run: "solid", prediction: "dashed", reference: "dotted" };
 
 function labelOf(table: Table, column: number): string {
   const c = table.columns[column];
@@ -35,7 +49,7 @@ function joined(lines: Line[]): uPlot.AlignedData {
   });
   return uPlot.join(
     tables,
-    tables.map(() => [2]),
+    tables.map(() => [2, 2]), // what is not a number is a gap, also where others have points within it
   );
 }
 
@@ -94,7 +108,10 @@ export class Chart {
       height: 260,
       scales: { x: { time: false } },
       cursor: { sync: { key: `${this.name} time` }, drag: { x: true, y: true, uni: 12 } },
-      legend: { live: true },
+      legend: {
+        live: true,
+        markers: { dash: (_: uPlot, k: number) => LEGEND_BORDER[this.lines[k - 1]?.kind ?? "run"] },
+      },
       axes: [
         { ...axis, label: this.xTitle, labelSize: 18, size: 34 },
         { ...axis, label: this.yTitle, labelSize: 18, size: 58, values: (_, all) => all.map((v) => written(v)) },
@@ -103,11 +120,8 @@ export class Chart {
         { label: this.xTitle, value: (_, v) => written(v) },
         ...this.lines.map((line, k) => ({
           label: line.label,
-          stroke: line.dashed ? ink : curveColour(k),
-          width: line.dashed ? 1.4 : 1.6,
-          ...(line.dashed ? { dash: [6, 4] } : {}),
-          spanGaps: true,
-          points: { show: false },
+          ...lookOf(line, k),
+          spanGaps: false,
           value: (_: uPlot, v: number | null) => written(v),
         })),
       ],
@@ -127,7 +141,7 @@ async function linesOf(tables: { run: string; table: Table }[], column: string):
     const k = table.columns.findIndex((c) => c.name === column);
     if (k < 0) continue;
     const columns = await columnsOf(table);
-    lines.push({ label: run, x: columns[0] ?? [], y: columns[k] ?? [], dashed: false });
+    lines.push({ label: run, x: columns[0] ?? [], y: columns[k] ?? [], kind: "run" });
   }
   return lines;
 }
@@ -150,7 +164,7 @@ function tableChart(
     const lines = await linesOf(tables, column);
     if (tables.length === 1 && lines[0]) lines[0].label = column;
     const here = curves.filter((c) => c.column === column);
-    for (const c of here) lines.push({ label: c.label, x: c.x, y: c.y, dashed: true });
+    for (const c of here) lines.push({ label: `${c.label} (${c.kind})`, x: c.x, y: c.y, kind: c.kind });
     notes.textContent = here.map((c) => c.note ?? "").join(" ").trim();
     chart.set(lines, labelOf(table, 0), labelOf(table, k));
   };

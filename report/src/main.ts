@@ -4,7 +4,7 @@ import { useColours } from "./colours";
 import { type Report, type Run, readReport } from "./data";
 import { chooser, h, section } from "./dom";
 import { type Chart, gaugeCharts, historyChart } from "./gauges";
-import { budgets, caseText, chip, comparison, events, fragments, materials, sources, verdict } from "./sections";
+import { budgets, caseText, chips, comparison, events, fragments, materials, sources, verdict } from "./sections";
 import { SolidView } from "./solid_view";
 import "./style.css";
 import { Viewer } from "./viewer";
@@ -79,7 +79,7 @@ function build(report: Report): void {
     const parts = partsOf(run, report.runs.filter((r) => r !== run));
     const compare = several ? [section("runs", "Runs side by side", comparison(report.runs))] : [];
     title.textContent = run.title;
-    state.replaceChildren(chip(run));
+    state.replaceChildren(chips(run));
     body.replaceChildren(...compare, ...parts);
     nav.replaceChildren(links([...compare, ...parts]));
   };

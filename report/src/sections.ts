@@ -11,9 +11,36 @@ export function verdictOf(run: Run): string {
   return run.summary?.verdict ?? (run.crash ? "stopped" : (run.status?.state ?? "not finished"));
 }
 
-export function chip(run: Run): HTMLElement {
+function chip(run: Run): HTMLElement {
   const word = verdictOf(run);
   return h("span", { class: `chip ${word.replace(/\W/g, "-")}` }, `${MARKS[word] ?? "?"} ${word}`);
+}
+
+/** How many expectations failed, and of how many. */
+function failures(run: Run): { failed: number; of: number } {
+  const all = Object.values(run.summary?.expect ?? {});
+  return { failed: all.filter((e) => !e.pass).length, of: all.length };
+}
+
+function failedText(failed: number, of: number): string {
+  return `${failed} of ${of} expectation${of === 1 ? "" : "s"} failed`;
+}
+
+/** The verdict, and whether expectations failed. */
+export function chips(run: Run): HTMLElement {
+  const { failed, of } = failures(run);
+  const badge = failed > 0 ? h("span", { class: "chip failed" }, `\u2715 ${failedText(failed, of)}`) : null;
+  return h("span", { class: "chips" }, chip(run), badge);
+}
+
+/** What --set and its like have changed, as "mesh.finest = 0.1 mm". */
+function changes(run: Run): HTMLElement | null {
+  const written = run.changes.map((change) => {
+    const at = change.indexOf("=");
+    const value = change.slice(at + 1).trim();
+    return `${change.slice(0, at).trim()} = ${value.replace(/^([-+]?[\d.]+(?:[eE][-+]?\d+)?)([A-Za-z\u00b5].*)$/, "$1 $2")}`;
+  });
+  return lines(written, "Changed on the command line:");
 }
 
 function quantity(value: number | boolean | null, unit: string | undefined): string {
@@ -31,20 +58,22 @@ function bound(e: Expectation): string {
 function errorOf(e: Expectation): string {
   if (typeof e.value !== "number" || typeof e.reference !== "number" || e.kind || e.reference === 0) return "";
   const percent = (100 * (e.value - e.reference)) / Math.abs(e.reference);
-  return `${percent > 0 ? "+" : ""}${written(percent, 2)}\u00a0%`;
+  const size = Math.abs(percent) < 10 ? written(Math.abs(percent), 2) : Math.abs(percent).toFixed(0);
+  return `${percent < 0 ? "\u2212" : percent > 0 ? "+" : ""}${size}\u00a0%`;
 }
 
-function expectations(all: Record<string, Expectation>): HTMLElement | null {
+function expectations(run: Run): HTMLElement | null {
+  const all = run.summary?.expect ?? {};
   const names = Object.keys(all);
   if (names.length === 0) return null;
-  const failed = names.filter((n) => !all[n]?.pass).length;
+  const { failed, of } = failures(run);
   const rows = names.map((name) => {
     const e = all[name] as Expectation;
     const mark = h("span", { class: e.pass ? "pass" : "fail" }, e.pass ? "\u2713 pass" : "\u2715 fail");
     const source = [e.source, e.why, e.problem].filter(Boolean).join("; ");
     return [mark, h("code", {}, name), quantity(e.value, e.unit), bound(e), errorOf(e), source];
   });
-  const head = failed > 0 ? `${failed} of ${names.length} expectations failed` : `All ${names.length} expectations met`;
+  const head = failed > 0 ? failedText(failed, of) : of === 1 ? "The expectation is met" : `All ${of} expectations met`;
   return h(
     "details",
     failed > 0 ? { open: true } : {},
@@ -80,9 +109,9 @@ export function facts(run: Run): HTMLElement {
     ["Steps", String(s?.steps ?? run.status?.step ?? "\u2013")],
   ];
   if (s) {
-    items.push(["Cells with matter", s.cells.toLocaleString("en")]);
+    if (s.cells > 0) items.push(["Cells with matter", s.cells.toLocaleString("en")]); // not counted after an error
     items.push(["Wall time", `${written(s.wall_s, 3)} s`]);
-    items.push(["Rate", `${written(s.rate_mcell_stage_per_s, 3)} Mcell stages/s`]);
+    if (s.rate_mcell_stage_per_s) items.push(["Rate", `${written(s.rate_mcell_stage_per_s, 3)} Mcell stages/s`]);
     items.push(["Recoil", s.version]);
   }
   return h("dl", { class: "facts" }, ...items.map(([k, v]) => h("div", {}, h("dt", {}, k), h("dd", {}, v))));
@@ -96,12 +125,13 @@ export function verdict(run: Run): HTMLElement {
     "div",
     {},
     facts(run),
+    changes(run),
     s ? reasons(s.reasons) : null,
     run.crash ? h("pre", { class: "crash", tabindex: "0" }, run.crash) : null,
     s?.cures ? lines(s.cures, "What helps.") : null,
     s ? lines(s.remarks, "Remarks.") : null,
     s ? lines(s.not_judged, "Not judged.") : null,
-    s ? expectations(s.expect) : null,
+    expectations(run),
     limited.length > 0
       ? h(
           "details",
@@ -201,6 +231,7 @@ export function caseText(run: Run): HTMLElement {
   return h(
     "div",
     {},
+    changes(run),
     h("pre", { tabindex: "0", "aria-label": "The case" }, run.case),
     h(
       "details",
@@ -215,11 +246,11 @@ export function caseText(run: Run): HTMLElement {
 export function comparison(runs: Run[]): HTMLElement {
   const row = (name: string, of: (r: Run) => Node | string): (Node | string)[] => [name, ...runs.map(of)];
   const rows = [
-    row("verdict", chip),
+    row("verdict", chips),
     row("cells [mm]", (r) => written(r.cell_mm)),
     row("scheme", (r) => r.scheme),
     row("steps", (r) => String(r.summary?.steps ?? "\u2013")),
-    row("cells with matter", (r) => r.summary?.cells.toLocaleString("en") ?? "\u2013"),
+    row("cells with matter", (r) => r.summary?.cells ? r.summary.cells.toLocaleString("en") : "\u2013"),
     row("wall time [s]", (r) => written(r.summary?.wall_s, 3)),
     row("drift of energy", (r) => written(r.summary?.budgets["total"]?.energy, 2)),
   ];

@@ -4,7 +4,7 @@ import { type Scale, scaleOf } from "./colours";
 import type { Frame, Run, Variable } from "./data";
 import { HELP, RANGE_MODES, type RangeMode, contactKey, overTimeButtons, rangeOf } from "./controls";
 import { chooser, h } from "./dom";
-import { type FieldScene, drawField, roomy } from "./field_picture";
+import { type FieldScene, curveArea, drawField, planeArea } from "./field_picture";
 import { FieldStore, withCells } from "./field_store";
 import { type LineOverTime, drawOverTime, lineOverTime } from "./line_over_time";
 import { atStep, clamp, ticks } from "./numbers";
@@ -188,16 +188,8 @@ export class Viewer {
 
   private place(width: number, scale: Scale): { area: PlotArea; height: number } {
     const { x, y } = this.extent();
-    const [left, top, right, bottom] = [56, 26, 100, 42];
-    if (this.run.geometry === "1d") {
-      const height = 330;
-      const area = new PlotArea(left, top, width - left - 16, height - top - bottom, x, roomy(scale.range));
-      return { area, height };
-    }
-    const most = Math.max(260, Math.min(680, window.innerHeight * 0.7));
-    const perMm = Math.min((width - left - right) / (x.to - x.from), most / (y.to - y.from));
-    const area = new PlotArea(left, top, perMm * (x.to - x.from), perMm * (y.to - y.from), x, y);
-    return { area, height: Math.max(area.height, 110) + top + bottom };
+    if (this.run.geometry === "1d") return curveArea(width, x, scale.range);
+    return planeArea(width, Math.max(260, Math.min(680, window.innerHeight * 0.7)), x, y);
   }
 
   private scale(values: Float32Array): Scale {
@@ -243,7 +235,7 @@ export class Viewer {
     this.area = area;
     this.canvas.dataset["area"] = JSON.stringify(area);
     const context = prepared(this.canvas, width, height);
-    drawField(context, area, scene);
+    this.canvas.dataset["names"] = JSON.stringify(drawField(context, area, scene));
     if (this.line) this.paintOverTime(scene);
   }
 

@@ -99,6 +99,7 @@ LoadedCase load_case(const std::string& word, const std::vector<std::string>& ov
                      const fs::path& home) {
   LoadedCase loaded;
   const fs::path file = find_case_file(word);
+  loaded.overrides = overrides;
   loaded.folder = (home.empty() ? file : home).parent_path();
   loaded.contents = config::read_case(file.string(), loaded.document, loaded.found, overrides);
   if (!home.empty()) loaded.contents.file = home.string();

@@ -13,12 +13,13 @@ namespace recoil::app {
 
 /// A case with all that it refers to.
 struct LoadedCase {
-  config::Document document;        // with the changes of the command line
-  config::Case contents;            // with the expectations of expected.toml beside the file
-  std::vector<Material> materials;  // one for each body; rigid bodies have an empty one
-  config::Diagnostics found;        // mistakes and warnings
-  bool too_large = false;           // needs more memory than the machine has: an error of the environment
-  std::filesystem::path folder;     // of the file
+  config::Document document;           // with the changes of the command line
+  config::Case contents;               // with the expectations of expected.toml beside the file
+  std::vector<Material> materials;     // one for each body; rigid bodies have an empty one
+  config::Diagnostics found;           // mistakes and warnings
+  bool too_large = false;              // needs more memory than the machine has: an error of the environment
+  std::filesystem::path folder;        // of the file
+  std::vector<std::string> overrides;  // changes of the command line, PATH=VALUE
 };
 
 /// The case file meant by a word of the command line: a file, a folder that holds case.toml, or the name of

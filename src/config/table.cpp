@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "config/habits/choice_habits.hpp"
 #include "config/units.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
@@ -109,7 +110,8 @@ struct ValueReader {
     if (key.choices.empty() ||
         std::find(key.choices.begin(), key.choices.end(), node.text) != key.choices.end())
       return;
-    std::string help = did_you_mean(node.text, key.choices);
+    std::string help(help_for_choice(node.text, key.choices));
+    if (help.empty()) help = did_you_mean(node.text, key.choices);
     const std::string all = fmt::format("one of: {}", fmt::join(key.choices, ", "));
     if (std::find(key.not_yet.begin(), key.not_yet.end(), node.text) != key.not_yet.end()) {
       out.error(node.place,

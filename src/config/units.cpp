@@ -11,7 +11,7 @@
 #include <system_error>
 #include <vector>
 
-#include "config/unit_habits.hpp"
+#include "config/habits/unit_habits.hpp"
 #include "core/characters.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
@@ -292,7 +292,8 @@ Quantity parse_quantity(std::string_view text, std::string_view si_unit, std::st
   if (base_units(unit.get()) != base_units(target.get())) {
     q.problem = fmt::format("'{}' has dimension [{}], but '{}' needs [{}]", text, name_of(unit.get()), name,
                             name_of(target.get()));
-    q.help = "write " + example(si);
+    const std::string_view degrees = si == "K" ? degrees_of(q.unit) : "";
+    q.help = degrees.empty() ? "write " + example(si) : std::string(degrees);
     return q;
   }
   q.value = convert_text(split.digits, q.written, unit.get(), target.get());

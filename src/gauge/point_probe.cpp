@@ -10,6 +10,7 @@
 #include "field/window.hpp"
 #include "gauge/corners.hpp"
 #include "gauge/level_set_slope.hpp"
+#include "gauge/periods.hpp"
 
 namespace recoil {
 
@@ -269,7 +270,7 @@ void probe_point(const State<Dim>& state, const BodyPoint<Dim>& point, int item,
                                far_cells * state.grid().dx};
       const Vec<Dim> x = moved(around, point, state.time - point.time);
       if (const auto values = values_at(around, x)) {
-        put<Dim>(*values, x, sums.add(item).sums);
+        put<Dim>(*values, into_domain(state.grid(), x), sums.add(item).sums);
         found = true;
       }
     });

@@ -32,8 +32,8 @@ inline constexpr std::size_t point_sums = 6 + 2 * Dim + PointState<Dim>::stresse
 /// squares with weights that fall to zero at 2 dx; a fragment counts at its middle, and density, strain,
 /// temperature and molten part stay within the range of the cells. Cells beyond a plane of symmetry or the
 /// axis are mirrored. Fragments of the body count that other bodies have taken up. A point that follows the
-/// matter is moved first, from its own time to that of the state, by Heun's rule. After a step, or at the
-/// start.
+/// matter is moved first, from its own time to that of the state, by Heun's rule, and comes in again
+/// where it leaves across the edge of a period. After a step, or at the start.
 template <int Dim>
 void probe_point(const State<Dim>& state, const BodyPoint<Dim>& point, int item, ExactSums& sums);
 

@@ -5,6 +5,7 @@
 
 #include "dynamics/primitives.hpp"
 #include "gauge/level_set_slope.hpp"
+#include "gauge/periods.hpp"
 
 namespace recoil {
 
@@ -13,15 +14,30 @@ namespace {
 constexpr double near_reach = 2, far_reach = 4;  // dx
 constexpr double least_area = 0.02;              // of dx^(Dim-1): least weight of a sliver of surface
 
+/// Whether some cells are near one of the domain, also across the edge of a period.
+template <int Dim>
+bool are_near(const Grid<Dim>& grid, const Box<Dim>& cells, const Index<Dim>& centre) {
+  constexpr int reach = static_cast<int>(far_reach) + 1;
+  for (int d = 0; d < Dim; ++d) {
+    bool near = false;
+    for (int period = grid.periodic(d) ? -1 : 0; period <= (grid.periodic(d) ? 1 : 0); ++period) {
+      const int i = centre[d] + period * grid.cells[d];
+      near = near || (i >= cells.lo[d] - reach && i < cells.hi[d] + reach);
+    }
+    if (!near) return false;
+  }
+  return true;
+}
+
 /// This rank's blocks in which a body, or a fragment of it, may have surface near x: f(slot, body).
 template <int Dim, class F>
 void for_blocks_near(const State<Dim>& state, int body, const Vec<Dim>& x, F&& f) {
-  const Index<Dim> centre = state.grid().cell_of(x);
+  const Index<Dim> centre = state.grid().cell_of(into_domain(state.grid(), x));
   for_each_part(state, body, [&](int m) {
     const Body<Dim>& b = state.bodies[m];
     for (int slot = 0; slot < state.mesh.local(); ++slot)
       if (b.present(slot) && state.mesh.block(slot).level == 0 &&
-          state.mesh.block(slot).cells.grown(static_cast<int>(far_reach) + 1).contains(centre))
+          are_near(state.grid(), state.mesh.block(slot).cells, centre))
         f(slot, b);
   });
 }
@@ -95,11 +111,12 @@ void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int 
     for (std::size_t m = 0; m < std::min(b.walls.size(), b.geometry.cuts.size()); ++m) {
       const CutCell<Dim>& cut = b.geometry.cuts[m];
       const Wall<Dim>& wall = b.walls[m];
-      if (!within_reach(cut.point, point.at, dx)) continue;
+      const Vec<Dim> at = image_near(state.grid(), cut.point, point.at);
+      if (!within_reach(at, point.at, dx)) continue;
       const Box<Dim> cells = state.mesh.block(slot).cells;
       const Index<Dim> i = cells.lo + state.grid().layout().index(cut.cell);
       const double area = norm(cut.surface) / (state.grid().dx_power(Dim - 1) * state.grid().radius(i[0]));
-      const Piece<Dim> own{cut.point, wall.mean_velocity, wall.normal};
+      const Piece<Dim> own{at, wall.mean_velocity, wall.normal};
       for_images(state.grid(), point.at, own, [&](const Piece<Dim>& piece) {
         if (!within_reach(piece.at, point.at, dx)) return;
         const double r2 = cells_apart2(piece.at, point.at, dx);
@@ -124,7 +141,7 @@ void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& poi
     const Window<Dim> window(state.mesh, slot, 1);
     for_each(cells, [&](const Index<Dim>& i) {
       const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-      const Vec<Dim> centre = state.grid().centre(i);
+      const Vec<Dim> centre = image_near(state.grid(), state.grid().centre(i), point.at);
       if (!within_reach(centre, point.at, dx) || n == 0 || !(b.contents[k] > 0)) return;
       Vec<Dim> velocity;
       for (int d = 0; d < Dim; ++d)
@@ -155,17 +172,19 @@ SurfaceReading<Dim> read_surface(std::span<const double> sums) {
 }
 
 template <int Dim>
-void follow_surface(SurfacePoint<Dim>& point, const SurfaceReading<Dim>& reading, double dt) {
+void follow_surface(const Grid<Dim>& grid, SurfacePoint<Dim>& point, const SurfaceReading<Dim>& reading,
+                    double dt) {
   if (!reading.found) return;
   point.normal = reading.normal;
   point.at += dot(reading.velocity, reading.normal) * dt * reading.normal;
+  point.at = into_domain(grid, point.at);
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                           \
   template void probe_surface<Dim>(const State<Dim>&, const SurfacePoint<Dim>&, int, ExactSums&);         \
   template void probe_surface_at_rest<Dim>(const State<Dim>&, const SurfacePoint<Dim>&, int, ExactSums&); \
   template SurfaceReading<Dim> read_surface<Dim>(std::span<const double>);                                \
-  template void follow_surface<Dim>(SurfacePoint<Dim>&, const SurfaceReading<Dim>&, double);
+  template void follow_surface<Dim>(const Grid<Dim>&, SurfacePoint<Dim>&, const SurfaceReading<Dim>&, double);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -31,7 +31,8 @@ inline constexpr std::size_t surface_sums = 2 * (1 + 2 * Dim);
 /// Adds the walls near the point, of this rank's blocks: cut cells within 2 dx, or else 4 dx, of which the
 /// middle of the surface is r away count with exp(-2 r^2/dx^2) (|A_I|/dx^(Dim-1) + 0.02). Where the normal is
 /// known, surfaces that face the other way (the far side of a thin body) do not count. After a step.
-/// Fragments of the body count that other bodies have taken up, and images beyond reflecting edges.
+/// Fragments of the body count that other bodies have taken up, images beyond reflecting edges, and what lies
+/// across the edge of a period.
 template <int Dim>
 void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int item, ExactSums& sums);
 
@@ -43,8 +44,10 @@ void probe_surface_at_rest(const State<Dim>& state, const SurfacePoint<Dim>& poi
 template <int Dim>
 SurfaceReading<Dim> read_surface(std::span<const double> sums);
 
-/// Moves the point by its normal velocity for a time dt [s], and gives it the surface's normal.
+/// Moves the point by its normal velocity for a time dt [s], and gives it the surface's normal. Where it
+/// leaves across the edge of a period it comes in on the other side.
 template <int Dim>
-void follow_surface(SurfacePoint<Dim>& point, const SurfaceReading<Dim>& reading, double dt);
+void follow_surface(const Grid<Dim>& grid, SurfacePoint<Dim>& point, const SurfaceReading<Dim>& reading,
+                    double dt);
 
 }  // namespace recoil

@@ -5,6 +5,7 @@
 
 #include "dynamics/primitives.hpp"
 #include "gauge/corners.hpp"
+#include "gauge/periods.hpp"
 #include "gauge/point_state.hpp"
 
 namespace recoil {
@@ -32,7 +33,7 @@ double along_line(const PointState<Dim>& p, const Vec<Dim>& n) {
 template <int Dim>
 void add_cell(const State<Dim>& state, const StressLine<Dim>& line, const Index<Dim>& i, double weight,
               int item, ExactSums& sums) {
-  const Vec<Dim> x = state.grid().centre(i);
+  const Vec<Dim> x = into_domain(state.grid(), state.grid().centre(i));
   const int slot = state.mesh.find(x);
   const Body<Dim>& body = state.bodies[line.body];
   if (slot < 0 || slot >= state.mesh.local() || !body.present(slot)) return;

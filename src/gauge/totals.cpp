@@ -9,7 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "core/exact_batch.hpp"
+#include "gauge/totals/body_sums.hpp"
+#include "gauge/totals/cell_terms.hpp"
+#include "gauge/totals/extent.hpp"
 #include "parallel/exact_sums.hpp"
 
 namespace recoil {
@@ -19,89 +21,6 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double judged_fill = 0.3;  // part of a cell from which on a fragment's strain counts
 
-/// Places of the sums and maxima of one body in a row of ExactSums.
-template <int Dim>
-struct At {
-  static constexpr std::size_t mass = 0, momentum = 1, kinetic = momentum + Dim, energy = kinetic + 1,
-                               volume = energy + 1, speed = volume + 1, cells = speed + 1, place = cells + 1,
-                               angular = place + Dim, failed = angular + 3, sums = failed + 1;
-  static constexpr std::size_t strain = sums, highest = strain + 1, minus_lowest = highest + Dim,
-                               all = minus_lowest + Dim;
-};
-
-/// The terms of cells, which are added up many at a time.
-template <int Dim>
-class CellTerms {
- public:
-  /// Adds a row of cells along x.
-  /// @param first its first cell in the block, whose centre is `start`. @param to by At<Dim>.
-  void add_row(const BodyBlock<Dim>& b, std::size_t first, std::size_t count, const Grid<Dim>& grid,
-               Index<Dim> start, std::span<ExactSum> to) {
-    while (count > 0) {
-      if (used_ == capacity) flush(to);
-      const std::size_t part = std::min(count, capacity - used_);
-      add_contents(b, first, part);
-      add_moments(b, first, part, grid, start);
-      used_ += part, first += part, count -= part;
-      start[0] += static_cast<int>(part);
-    }
-  }
-  void flush(std::span<ExactSum> to) {
-    for (std::size_t k = 0; k < At<Dim>::sums; ++k) add_all({terms(k), used_}, to[k]);
-    used_ = 0;
-  }
-
- private:
-  using C = Components<Dim>;
-  using A = At<Dim>;
-  static constexpr std::size_t capacity = 256;
-  double* terms(std::size_t sum) { return terms_.data() + sum * capacity; }
-
-  void add_contents(const BodyBlock<Dim>& b, std::size_t first, std::size_t count) {
-    const std::size_t n = b.volume.size();
-    const double *q = b.contents.data() + first, *v = b.volume.data() + first, *damage = q + C::damage * n;
-    double *mass = terms(A::mass) + used_, *kinetic = terms(A::kinetic) + used_,
-           *energy = terms(A::energy) + used_, *volume = terms(A::volume) + used_,
-           *speed = terms(A::speed) + used_, *cells = terms(A::cells) + used_,
-           *failed = terms(A::failed) + used_, *momentum = terms(A::momentum) + used_;
-#pragma omp simd
-    for (std::size_t k = 0; k < count; ++k) {
-      double p2 = 0;
-      for (std::size_t d = 0; d < Dim; ++d) {
-        const double p = q[(C::u + d) * n + k];
-        momentum[d * capacity + k] = p;
-        p2 += p * p;
-      }
-      const double m = q[k];
-      mass[k] = m;
-      kinetic[k] = m > 0 ? 0.5 * p2 / m : 0.0;
-      energy[k] = q[C::energy * n + k];
-      volume[k] = v[k];
-      speed[k] = std::sqrt(p2);
-      cells[k] = v[k] != 0 || m != 0 ? 1.0 : 0.0;
-      failed[k] = damage[k] > 0 && damage[k] >= failed_damage * m ? m : 0.0;
-    }
-  }
-  void add_moments(const BodyBlock<Dim>& b, std::size_t first, std::size_t count, const Grid<Dim>& grid,
-                   Index<Dim> i) {
-    const std::size_t n = b.volume.size();
-    double *place = terms(A::place) + used_, *angular = terms(A::angular) + used_;
-    for (std::size_t k = 0; k < count; ++k, ++i[0]) {
-      const Vec<Dim> x = grid.centre(i);
-      Vec<Dim> momentum;
-      for (std::size_t d = 0; d < Dim; ++d) {
-        momentum[static_cast<int>(d)] = b.contents[(C::u + d) * n + first + k];
-        place[d * capacity + k] = b.contents[first + k] * x[static_cast<int>(d)];
-      }
-      const Vec<3> turning = cross(x, momentum);
-      for (std::size_t d = 0; d < 3; ++d) angular[d * capacity + k] = turning[static_cast<int>(d)];
-    }
-  }
-
-  std::vector<double> terms_ = std::vector<double>(At<Dim>::sums * capacity);
-  std::size_t used_ = 0;
-};
-
 template <int Dim>
 void find_strain(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const Box<Dim>& cells, const SumRow& out) {
   using C = Components<Dim>;
@@ -110,26 +29,7 @@ void find_strain(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const Box<Dim>&
   for_each(cells, [&](const Index<Dim>& i) {
     const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
     if (b.volume[k] >= judged_fill * grid.full_volume(i) && b.contents[k] > 0)
-      out.raise(At<Dim>::strain, b.contents[C::ep * n + k] / b.contents[k]);
-  });
-}
-
-/// A ball of radius |phi| about a place inside lies within the body, and touches its surface, so the farthest
-/// such ball shows how far the body reaches.
-template <int Dim>
-void find_extent(const Grid<Dim>& grid, double finest, const BodyBlock<Dim>& b, const Box<Dim>& cells,
-                 const SumRow& out) {
-  using A = At<Dim>;
-  const Box<Dim> layout = grid.layout();
-  for_each(cells, [&](const Index<Dim>& i) {
-    const auto k = static_cast<std::size_t>(layout.at(i - cells.lo));
-    if (!(b.phi[k] < 0) || b.phi[k] < -2 * finest) return;  // deeper cells give the surface less accurately
-    const Vec<Dim> x = grid.centre(i);
-    for (std::size_t d = 0; d < Dim; ++d) {
-      const double c = x[static_cast<int>(d)];
-      out.raise(A::highest + d, c - b.phi[k]);
-      out.raise(A::minus_lowest + d, -(c + b.phi[k]));
-    }
+      out.raise(BodySums<Dim>::strain, b.contents[C::ep * n + k] / b.contents[k]);
   });
 }
 
@@ -140,7 +40,6 @@ void sum_block(const State<Dim>& state, const Body<Dim>& body, int slot, CellTer
   const BodyBlock<Dim>& b = body.at(slot);
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
   find_extent(grid, state.grid().dx, b, cells, out);
-  if (body.rigid) return;  // it has no contents
   find_strain(grid, b, cells, out);
   Box<Dim> starts = cells;  // of the rows
   starts.hi[0] = cells.lo[0] + 1;
@@ -180,7 +79,7 @@ EdgeAccount<Dim> take_edges(std::span<const double> row) {
 
 template <int Dim>
 BodyTotals<Dim> take_body(std::span<const double> row) {
-  using A = At<Dim>;
+  using A = BodySums<Dim>;
   BodyTotals<Dim> t;
   t.mass = row[A::mass], t.kinetic = row[A::kinetic], t.energy = row[A::energy], t.volume = row[A::volume];
   t.speed = row[A::speed], t.cells = std::llround(row[A::cells]);
@@ -242,7 +141,7 @@ void take_rigid(const RigidMotion<Dim>& m, BodyTotals<Dim>& t) {
 /// The sums over this rank's blocks of all bodies, found by all threads: each has sums of its own.
 template <int Dim>
 void add_bodies(const State<Dim>& state, parallel::Team* team, ExactSums& sums) {
-  using A = At<Dim>;
+  using A = BodySums<Dim>;
   const auto bodies = static_cast<std::size_t>(state.count());
   const std::size_t threads = team != nullptr ? static_cast<std::size_t>(team->threads()) : 1;
   constexpr std::size_t maxima = A::all - A::sums;
@@ -254,10 +153,16 @@ void add_bodies(const State<Dim>& state, parallel::Team* team, ExactSums& sums) 
     return SumRow{{own.data() + at * A::sums, A::sums}, {most.data() + at * maxima, maxima}};
   };
   const auto work = [&](int slot, int thread) {
+    const Block<Dim>& block = state.mesh.block(slot);
     for (std::size_t m = 0; m < bodies; ++m) {
       const Body<Dim>& body = state.bodies[m];
-      if (body.present(slot))
-        sum_block(state, body, slot, terms[thread], row(static_cast<std::size_t>(thread), m));
+      const SumRow to = row(static_cast<std::size_t>(thread), m);
+      if (body.rigid && state.mesh.levels() > 1)  // of which coarse blocks hold nothing
+        find_rigid_extent(state, *body.rigid, slot, to);
+      else if (body.present(slot) && body.rigid)
+        find_extent(state.grid(slot), state.grid().dx, body.at(slot), block.cells, to);
+      else if (body.present(slot))
+        sum_block(state, body, slot, terms[thread], to);
     }
   };
   if (threads > 1)
@@ -313,7 +218,7 @@ BodyTotals<Dim>& BodyTotals<Dim>::operator+=(const BodyTotals& b) {
 
 template <int Dim>
 Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, parallel::Team* team) {
-  using A = At<Dim>;
+  using A = BodySums<Dim>;
   const int bodies = state.count(), pairs = bodies * (bodies - 1) / 2;
   ExactSums sums;  // items: all bodies, their edges, all pairs
   for (int m = 0; m < bodies; ++m) sums.item(A::sums, A::all - A::sums);

@@ -9,9 +9,9 @@
 #include <variant>
 
 #include "config/table.hpp"
-#include "core/closest.hpp"
 #include "material/melting_keys.hpp"
 #include "material/model_keys.hpp"
+#include "material/unknown_material.hpp"
 
 namespace recoil {
 
@@ -228,22 +228,8 @@ struct Search {
 };
 
 void report_unknown(const std::string& name, const Search& search, const Place& place) {
-  std::vector<std::string> known;
-  if (search.own) known = search.own->names("material");
-  for (std::string& n : list_materials(search.folders)) known.push_back(std::move(n));
-  std::string help = did_you_mean(name, known, 3);
-  const std::size_t slash = name.find('/');
-  if (help.empty() && slash != std::string::npos) {  // either part alone; "pure" says nothing
-    const std::string second = name.substr(slash + 1);
-    if (nearest(second, known, 4).size() < 4) help = did_you_mean(second, known, 3);
-    if (help.empty()) help = did_you_mean(name.substr(0, slash + 1), known, 3);
-  }
-  if (help.empty()) {
-    help = known.empty() ? std::string("there are no materials in") : "`recoil material list` lists all";
-    for (std::size_t i = 0; known.empty() && i < search.folders.size(); ++i)
-      help += (i > 0 ? ", '" : " '") + search.folders[i].string() + "'";
-  }
-  search.out.error(place, "unknown material '" + name + "'", help);
+  search.out.error(place, "unknown material '" + name + "'",
+                   help_for_unknown_material(name, search.own, search.folders));
 }
 
 const Node* own_table(const Search& search, const std::string& name) {

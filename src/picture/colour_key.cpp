@@ -17,8 +17,11 @@ constexpr double kSwatch = 20, kRow = 30, kItemGap = 26;
 
 TextStyle ink_style() { return {.size = kPictureStyle.text, .colour = kPictureStyle.ink}; }
 
+constexpr int fewest_ticks = 2, most_ticks = 8;  // of a vertical bar
+
 Ticks ticks_of(const ColourKey& key, double length) {
-  return nice_ticks(key.colours.shown, key.horizontal ? 6 : std::clamp(static_cast<int>(length / 80), 2, 8));
+  const int upright = std::clamp(static_cast<int>(length / 80), fewest_ticks, most_ticks);
+  return nice_ticks(key.colours.shown, key.horizontal ? 6 : upright);
 }
 
 /// The bar along its own axis: t from 0 at the low end to 1 at the high one, s across it.
@@ -193,8 +196,9 @@ Rgb Colours::at(double value) const {
 double key_width(const ColourKey& key) {
   double widest = 0;
   if (key.colours.categories.empty()) {
-    for (const auto& label : nice_ticks(key.colours.shown, 6).labels)
-      widest = std::max(widest, text_width(label, kPictureStyle.text));
+    for (int n = fewest_ticks; n <= most_ticks; ++n)  // the length of the bar is not known yet
+      for (const auto& label : nice_ticks(key.colours.shown, n).labels)
+        widest = std::max(widest, text_width(label, kPictureStyle.text));
     return std::ceil(kBarGap + kBarWidth + kTick + kLabelGap + widest + 14 + kPictureStyle.text + 12);
   }
   widest = text_width(key.label, kPictureStyle.text);

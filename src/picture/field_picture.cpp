@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
+constexpr double kLeastWidth = 480;  // of a picture, for its heading [pixels]
+constexpr double kNarrow = 520;      // a field that leaves its heading too little room [pixels]
+
 /// Everything decided before the first line.
 struct Layout {
   int width = 0, height = 0;
@@ -58,15 +61,23 @@ Layout layout_of(const FieldPicture& p) {
   const double below =
       bottom_margin() + (l.key.horizontal ? 10 + key_height(l.key, p.max_width - left - right) : 0);
   const Point2 size = fitted(p, p.max_width - left - right, p.max_height - top - below);
-  f.area = {left, top, left + size.x, top + size.y};
+  const double beside = std::floor(0.5 * std::max(0.0, kLeastWidth - left - size.x - right));
+  f.area = {left + beside, top, left + beside + size.x, top + size.y};
   // A small picture gets fewer marks; never so many labels that the left margin would change much.
   f.y_ticks = nice_ticks(f.y, std::clamp(static_cast<int>(size.y / 75), 3, 8));
   f.x_ticks = nice_ticks(f.x, std::clamp(static_cast<int>(size.x / 110), 2, 10));
   if (p.mirror) drop_minus(f.x_ticks);
   if (!p.y_labels) f.y_ticks = {};
-  l.width = static_cast<int>(f.area.x1 + right);
+  l.width = static_cast<int>(f.area.x1 + right + beside);
   l.height = static_cast<int>(f.area.y1 + below);
   return l;
+}
+
+/// Above the field, or above the whole picture where the field is narrow.
+PixelRect heading_place(const Layout& l) {
+  PixelRect place = l.frame.area;
+  if (place.x1 - place.x0 < kNarrow) place.x0 = 14, place.x1 = l.width - 14.0;
+  return place;
 }
 
 /// Cell-centred values, read at any place.
@@ -197,7 +208,7 @@ Canvas field_picture(const FieldPicture& picture) {
   draw_axes(canvas, l.frame);
   draw_marks(canvas, placed_marks(picture, l.frame), l.frame.area);
   draw_key(canvas, l.key, l.frame.area, bottom_margin() + 10);
-  draw_heading(canvas, l.frame.area, picture.title, picture.note);
+  draw_heading(canvas, heading_place(l), picture.title, picture.note);
   return canvas;
 }
 

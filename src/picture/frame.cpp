@@ -91,15 +91,20 @@ double left_margin(const Ticks& y_ticks) {
 double bottom_margin() { return std::ceil(kTickLength + kGap + 2.5 * kPictureStyle.text + 10); }
 
 void draw_heading(Canvas& canvas, const PixelRect& area, const std::string& title, const std::string& note) {
-  const double y = area.y0 - 18;
-  const double note_size = kPictureStyle.text;
-  const double room = area.x1 - area.x0 - (note.empty() ? 0 : text_width(note, note_size) + 24);
-  double size = kPictureStyle.title;  // a long title becomes smaller before it leaves the picture
-  size = std::max(12.0, std::min(size, size * room / std::max(1.0, text_width(title, size, true))));
-  const std::string fitting = shortened_text(title, room, size, true);
-  draw_text(canvas, {area.x0, y}, fitting, {.size = size, .colour = kPictureStyle.ink, .bold = true});
-  draw_text(canvas, {area.x1, y}, note,
-            {.size = note_size, .colour = kPictureStyle.soft_ink, .horizontal = HorizontalAnchor::right});
+  constexpr double gap = 24, smallest = 15, line = 26;
+  const double note_width = note.empty() ? 0 : text_width(note, kPictureStyle.text) + gap;
+  const double whole = area.x1 - area.x0, wanted = text_width(title, kPictureStyle.title, true);
+  const auto size_in = [&](double room) {  // a long title becomes smaller before it leaves the picture
+    return std::clamp(kPictureStyle.title * room / std::max(1.0, wanted), 12.0, kPictureStyle.title);
+  };
+  const bool two_lines = size_in(whole - note_width) < smallest && note_width > 0;
+  const double room = two_lines ? whole : whole - note_width, size = size_in(room), y = area.y0 - 18;
+  draw_text(canvas, {area.x0, two_lines ? y - line : y}, shortened_text(title, room, size, true),
+            {.size = size, .colour = kPictureStyle.ink, .bold = true});
+  draw_text(canvas, {two_lines ? area.x0 : area.x1, y}, note,
+            {.size = kPictureStyle.text,
+             .colour = kPictureStyle.soft_ink,
+             .horizontal = two_lines ? HorizontalAnchor::left : HorizontalAnchor::right});
 }
 
 }  // namespace recoil

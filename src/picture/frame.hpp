@@ -42,7 +42,8 @@ double left_margin(const Ticks& y_ticks);
 /// Room that labels and title of the horizontal axis take below [pixels].
 double bottom_margin();
 
-/// The heading: `title` bold on the left, `note` (e.g. the time) on the right, above `area`.
+/// The heading above `area`: `title` bold on the left, `note` (e.g. the time) on the right, or below the
+/// title where one line has no room for both. Takes up to 62 pixels.
 void draw_heading(Canvas& canvas, const PixelRect& area, const std::string& title, const std::string& note);
 
 }  // namespace recoil

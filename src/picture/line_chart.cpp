@@ -102,6 +102,11 @@ double curve_inside(const std::vector<Polyline>& lines, const PixelRect& r) {
   return inside;
 }
 
+/// A line around and through a rectangle, for curve_inside.
+Polyline edge_of(const PixelRect& r) {
+  return {{r.x0, r.y0}, {r.x1, r.y0}, {r.x1, r.y1}, {r.x0, r.y1}, {r.x0, r.y0}, {r.x1, r.y1}};
+}
+
 void draw_guide_lines(Canvas& canvas, const LineChart& chart, const Frame& f) {
   const Stroke stroke{.colour = kPictureStyle.soft_ink, .width = 1.4, .dash = {3, 4}};
   for (const auto& guide : chart.guides) {
@@ -112,12 +117,16 @@ void draw_guide_lines(Canvas& canvas, const LineChart& chart, const Frame& f) {
   }
 }
 
-/// Writes beside each guide, at that end and on that side of it where the curves leave most room.
-void label_guides(Canvas& canvas, const LineChart& chart, const Frame& f,
-                  const std::vector<Polyline>& lines) {
-  constexpr double kSize = 16, kHeight = 0.7 * kSize, kOff = 7;
+constexpr double kGuideText = 16;
+
+/// Where the labels of the guides stand: beside each, at that end and on that side of it where the curves and
+/// the labels before leave most room.
+std::vector<PixelRect> guide_label_places(const LineChart& chart, const Frame& f,
+                                          std::vector<Polyline> lines) {
+  constexpr double kHeight = 0.7 * kGuideText, kOff = 7;
+  std::vector<PixelRect> places;
   for (const auto& guide : chart.guides) {
-    const double width = text_width(guide.label, kSize);
+    const double width = text_width(guide.label, kGuideText);
     const Point2 at = guide.vertical ? f.pixel(guide.at, f.y.lo) : f.pixel(f.x.lo, guide.at);
     PixelRect best{};
     double least = 1e300;
@@ -136,9 +145,18 @@ void label_guides(Canvas& canvas, const LineChart& chart, const Frame& f,
         const double hidden = curve_inside(lines, {r.x0 - 3, r.y0 - 3, r.x1 + 3, r.y1 + 3});
         if (hidden < least) least = hidden, best = r;
       }
-    const Point2 start = guide.vertical ? Point2{best.x1, best.y1} : Point2{best.x0, best.y1};
-    draw_text(canvas, start, guide.label,
-              {.size = kSize, .colour = kPictureStyle.soft_ink, .upwards = guide.vertical});
+    places.push_back(best);
+    lines.push_back(edge_of(best));
+  }
+  return places;
+}
+
+void label_guides(Canvas& canvas, const LineChart& chart, const std::vector<PixelRect>& places) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const bool vertical = chart.guides[k].vertical;
+    const PixelRect& r = places[k];
+    draw_text(canvas, vertical ? Point2{r.x1, r.y1} : Point2{r.x0, r.y1}, chart.guides[k].label,
+              {.size = kGuideText, .colour = kPictureStyle.soft_ink, .upwards = vertical});
   }
 }
 
@@ -156,8 +174,11 @@ Point2 legend_size(const LineChart& chart) {
   return {std::ceil(14 + kLegendSample + 12 + text + 16), rows * kLegendRow + 12};
 }
 
-/// Where the legend hides least: in a corner if it can, else at another place of the plot.
-PixelRect legend_place(Point2 size, const Frame& f, const std::vector<Polyline>& lines, double& least) {
+/// Where the legend hides least of lines and labels: in a corner if it can, else at another place of the
+/// plot.
+PixelRect legend_place(Point2 size, const Frame& f, std::vector<Polyline> lines,
+                       const std::vector<PixelRect>& labels, double& least) {
+  for (const PixelRect& r : labels) lines.push_back(edge_of(r));
   const PixelRect a = f.area;
   const double left = a.x0 + kLegendGap, top = a.y0 + kLegendGap;
   const double room_x = a.x1 - a.x0 - 2 * kLegendGap - size.x, room_y = a.y1 - a.y0 - 2 * kLegendGap - size.y;
@@ -207,13 +228,15 @@ Canvas line_chart(const LineChart& chart) {
     return lines;
   };
   std::vector<Polyline> lines = curves();
+  std::vector<PixelRect> labels = guide_label_places(chart, frame, lines);
   const Point2 size = legend_size(chart);
   double hidden = 0;
   PixelRect legend{};
-  if (size.x > 0) legend = legend_place(size, frame, lines, hidden);
+  if (size.x > 0) legend = legend_place(size, frame, lines, labels, hidden);
   if (size.x > 0 && hidden > 0 && size.x < 0.4 * chart.width) {  // no place in the plot: beside it
     frame.area.x1 -= size.x + kLegendGap;
     lines = curves();
+    labels = guide_label_places(chart, frame, lines);
     const double x = frame.area.x1 + kLegendGap + 12;
     legend = {x, frame.area.y0, x + size.x, frame.area.y0 + size.y};
   }
@@ -221,7 +244,7 @@ Canvas line_chart(const LineChart& chart) {
   draw_guide_lines(canvas, chart, frame);
   for (std::size_t k = 0; k < chart.series.size(); ++k)
     draw_series(canvas, frame, lines[k], chart.series[k].style, colour_of(chart, k));
-  label_guides(canvas, chart, frame, lines);
+  label_guides(canvas, chart, labels);
   draw_axes(canvas, frame);
   draw_legend(canvas, chart, legend);
   draw_heading(canvas, frame.area, chart.title, chart.note);

@@ -31,24 +31,7 @@ double refine(const std::function<double(const Vec<Dim>&)>& distance, const Vec<
   return sum / (1 << Dim);
 }
 
-/// After how much a shape is met again along each axis [m]; 0 along those that are not periodic, or along
-/// which it is as long as the period: it then is as it is drawn.
-template <int Dim>
-Vec<Dim> period_of(const config::Shape& shape, const config::Domain& domain) {
-  const auto* lattice = std::get_if<config::Lattice>(&shape.form);  // whose copies are bodies of their own
-  const config::Bounds bounds = config::bounds_of(lattice ? lattice->copies.front() : shape, domain);
-  Vec<Dim> period;
-  for (int d = 0; d < Dim; ++d) {
-    const auto e = static_cast<std::size_t>(d);
-    if (domain.boundary[e][0] != config::Boundary::periodic) continue;
-    const double length = domain.hi[e] - domain.lo[e], near = 1e-9 * length;
-    const bool across = bounds.lo[e] <= domain.lo[e] + near && bounds.hi[e] >= domain.hi[e] - near;
-    if (!across && bounds.hi[e] - bounds.lo[e] <= length + near) period[d] = length;
-  }
-  return period;
-}
-
-/// f(x moved by -1, 0 or 1 periods along each axis), of x in the domain.
+/// f(x moved by -1, 0 or 1 periods along each axis).
 template <int Dim, class F>
 void for_each_image(const Vec<Dim>& x, const Vec<Dim>& period, F&& f) {
   Box<Dim> sides;
@@ -63,12 +46,12 @@ void for_each_image(const Vec<Dim>& x, const Vec<Dim>& period, F&& f) {
   });
 }
 
-/// x moved by whole periods into the domain.
+/// x moved by whole periods to where the body is: within half a period of its middle.
 template <int Dim>
-Vec<Dim> into_domain(Vec<Dim> x, const Vec<Dim>& period, const config::Domain& domain) {
+Vec<Dim> near_body(Vec<Dim> x, const Periods<Dim>& periods) {
   for (int d = 0; d < Dim; ++d)
-    if (period[d] > 0)
-      x[d] -= period[d] * std::floor((x[d] - domain.lo[static_cast<std::size_t>(d)]) / period[d]);
+    if (periods.length[d] > 0)
+      x[d] -= periods.length[d] * std::round((x[d] - periods.middle[d]) / periods.length[d]);
   return x;
 }
 
@@ -90,29 +73,37 @@ std::vector<Distance<Dim>> distances_of(const std::vector<config::Shape>& parts,
   return all;
 }
 
-/// Parts that are put together or cut out have images of their own: one may be as long as the period, another
+/// The union of bodies, each with images of its own. None: everything is far away.
+template <int Dim>
+Distance<Dim> least_distance(const std::vector<config::Shape>& parts, const config::Domain& domain) {
+  return [all = distances_of<Dim>(parts, domain)](const Vec<Dim>& x) {
+    double least = 1e300;
+    for (const auto& part : all) least = std::min(least, part(x));
+    return least;
+  };
+}
+
+/// Parts that are put together or cut out have images of their own: one may reach across the period, another
 /// not.
 template <int Dim>
 Distance<Dim> distance_with_images(const config::Shape& shape, const config::Domain& domain) {
   if (const auto* all = std::get_if<config::Union>(&shape.form))
-    return [parts = distances_of<Dim>(all->parts, domain)](const Vec<Dim>& x) {
-      double least = parts.front()(x);
-      for (const auto& part : parts) least = std::min(least, part(x));
-      return least;
-    };
+    return least_distance<Dim>(all->parts, domain);
+  if (const auto* all = std::get_if<config::Lattice>(&shape.form))
+    return least_distance<Dim>(all->copies, domain);
   if (const auto* rest = std::get_if<config::Difference>(&shape.form))
     return [parts = distances_of<Dim>(rest->parts, domain)](const Vec<Dim>& x) {
       double most = parts.front()(x);
       for (std::size_t k = 1; k < parts.size(); ++k) most = std::max(most, -parts[k](x));
       return most;
     };
-  const Vec<Dim> period = period_of<Dim>(shape, domain);
-  if (period == Vec<Dim>{}) return distance_without_images<Dim>(shape, domain);
-  const Distance<Dim> one = distance_without_images<Dim>(shape, without_ends(domain, period));
-  return [one, period, domain](const Vec<Dim>& x) {
-    const Vec<Dim> inside = into_domain(x, period, domain);
-    double least = one(inside);
-    for_each_image(inside, period, [&](const Vec<Dim>& image) { least = std::min(least, one(image)); });
+  const Periods<Dim> periods = periods_of<Dim>(shape, domain);
+  if (periods.length == Vec<Dim>{}) return distance_without_images<Dim>(shape, domain);
+  const Distance<Dim> one = distance_without_images<Dim>(shape, without_ends(domain, periods.length));
+  return [one, periods](const Vec<Dim>& x) {
+    const Vec<Dim> near = near_body(x, periods);
+    double least = one(near);
+    for_each_image(near, periods.length, [&](const Vec<Dim>& image) { least = std::min(least, one(image)); });
     return least;
   };
 }
@@ -140,18 +131,34 @@ config::Domain without_ends(config::Domain domain, const Vec<Dim>& period) {
 }
 
 template <int Dim>
+Periods<Dim> periods_of(const config::Shape& shape, const config::Domain& domain) {
+  const config::Bounds bounds = config::bounds_of(shape, domain);
+  Periods<Dim> periods;
+  for (int d = 0; d < Dim; ++d) {
+    const auto e = static_cast<std::size_t>(d);
+    if (domain.boundary[e][0] != config::Boundary::periodic) continue;
+    const double length = domain.hi[e] - domain.lo[e], near = 1e-9 * length;
+    const bool across = bounds.lo[e] <= domain.lo[e] + near && bounds.hi[e] >= domain.hi[e] - near;
+    if (across || bounds.hi[e] - bounds.lo[e] > length + near) continue;
+    periods.length[d] = length;
+    periods.middle[d] = 0.5 * (bounds.lo[e] + bounds.hi[e]);
+  }
+  return periods;
+}
+
+template <int Dim>
 std::function<Vec<Dim>(const Vec<Dim>&)> within_shape(const config::Shape& shape,
                                                       const config::Domain& domain) {
-  const Vec<Dim> period = period_of<Dim>(shape, domain);
-  if (period == Vec<Dim>{}) return [](const Vec<Dim>& x) { return x; };
-  return
-      [one = distance_without_images<Dim>(shape, without_ends(domain, period)), period](const Vec<Dim>& x) {
-        Vec<Dim> nearest = x;
-        for_each_image(x, period, [&](const Vec<Dim>& image) {
-          if (one(image) < one(nearest)) nearest = image;
-        });
-        return nearest;
-      };
+  const Periods<Dim> periods = periods_of<Dim>(shape, domain);
+  if (periods.length == Vec<Dim>{}) return [](const Vec<Dim>& x) { return x; };
+  return [one = distance_without_images<Dim>(shape, without_ends(domain, periods.length)),
+          periods](const Vec<Dim>& x) {
+    Vec<Dim> nearest = near_body(x, periods);
+    for_each_image(nearest, periods.length, [&](const Vec<Dim>& image) {
+      if (one(image) < one(nearest)) nearest = image;
+    });
+    return nearest;
+  };
 }
 
 template <int Dim>
@@ -162,6 +169,7 @@ double inside_part(const std::function<double(const Vec<Dim>&)>& distance, const
 
 #define RECOIL_INSTANTIATE(Dim)                                                                            \
   template Distance<Dim> signed_distance<Dim>(const config::Shape&, const config::Domain&);                \
+  template Periods<Dim> periods_of<Dim>(const config::Shape&, const config::Domain&);                      \
   template config::Domain without_ends<Dim>(config::Domain, const Vec<Dim>&);                              \
   template std::function<Vec<Dim>(const Vec<Dim>&)> within_shape<Dim>(const config::Shape&,                \
                                                                       const config::Domain&);              \

@@ -22,6 +22,16 @@ std::function<double(const Vec<Dim>&)> signed_distance(const config::Shape& shap
 template <int Dim>
 config::Domain without_ends(config::Domain domain, const Vec<Dim>& period);
 
+/// How a body lies across the periodic edges of a domain.
+template <int Dim>
+struct Periods {
+  Vec<Dim>
+      length;  // m, after which it is met again; 0: the axis is not periodic, or the body is as it is drawn
+  Vec<Dim> middle;  // m, of what it lies within, where it is met again
+};
+template <int Dim>
+Periods<Dim> periods_of(const config::Shape& shape, const config::Domain& domain);
+
 /// The function that moves a place in an image of the shape across periodic edges by the period, to where the
 /// shape itself is; other places stay.
 template <int Dim>

@@ -107,7 +107,8 @@ ContactLaw contact_law(const config::ContactChoice& choice) {
 
 /// None where the body is not lit. What it is made of has been checked (app/check).
 template <int Dim>
-std::optional<DetonationFront<Dim>> detonation_front(const config::Body& from, const Material& material) {
+std::optional<DetonationFront<Dim>> detonation_front(const config::Body& from, const config::Domain& domain,
+                                                     const Material& material) {
   const Jwl* explosive = std::get_if<Jwl>(&material.eos);
   if (!explosive || from.detonation.points.empty()) return {};
   DetonationFront<Dim> front;
@@ -116,6 +117,14 @@ std::optional<DetonationFront<Dim>> detonation_front(const config::Body& from, c
   front.time = from.detonation.time;
   front.velocity = explosive->detonation_velocity;
   front.energy = explosive->detonated_energy();
+  const Periods<Dim> periods = periods_of<Dim>(from.shape, domain);
+  front.middle = periods.middle;
+  for (int d = 0; d < Dim; ++d) {
+    const auto e = static_cast<std::size_t>(d);
+    if (domain.boundary[e][0] != config::Boundary::periodic) continue;
+    front.period[d] = domain.hi[e] - domain.lo[e];
+    front.across[d] = periods.length[d] > 0 ? 0 : 1;
+  }
   return front;
 }
 
@@ -275,7 +284,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
     } else {
       body.material = materials[m];
       body.temperature = temperature_law(body.material);
-      body.detonation = detonation_front<Dim>(c.bodies[m], body.material);
+      body.detonation = detonation_front<Dim>(c.bodies[m], c.domain, body.material);
     }
     const auto source = std::ranges::find(c.bodies, c.bodies[m].fragments_of, &config::Body::name);
     if (source != c.bodies.end()) body.fragments_of = static_cast<int>(source - c.bodies.begin());

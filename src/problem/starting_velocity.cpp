@@ -54,8 +54,32 @@ Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x, bool axisymmet
 template <int Dim>
 using Field = std::function<Vec<Dim>(const Vec<Dim>&)>;
 
-/// The mean of f over those of the 2^Dim Gauss points of a cell of width dx about x that lie inside; f(x)
-/// where none does.
+/// A place inside the shape, as near to x as that may be: follows the distance down to a hundredth of a cell
+/// below the surface. x itself where that leads nowhere.
+template <int Dim>
+Vec<Dim> into_shape(const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& x, double dx) {
+  constexpr int most_steps = 8;
+  const double step = 1e-4 * dx, depth = 0.01 * dx;
+  Vec<Dim> at = x;
+  for (int k = 0; k < most_steps; ++k) {
+    const double s = distance(at);
+    if (s < 0) return at;
+    Vec<Dim> gradient;
+    for (int d = 0; d < Dim; ++d) {
+      Vec<Dim> ahead = at, behind = at;
+      ahead[d] += step;
+      behind[d] -= step;
+      gradient[d] = (distance(ahead) - distance(behind)) / (2 * step);
+    }
+    const double square = dot(gradient, gradient);
+    if (!(square > 0)) return x;
+    at -= ((s + depth) / square) * gradient;
+  }
+  return distance(at) < 0 ? at : x;
+}
+
+/// The mean of f over those of the 2^Dim Gauss points of a cell of width dx about x that lie inside; where
+/// none does, f at the nearest place inside.
 template <int Dim, class F>
 Vec<Dim> mean_inside(const F& f, const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& x,
                      double dx) {
@@ -69,7 +93,7 @@ Vec<Dim> mean_inside(const F& f, const std::function<double(const Vec<Dim>&)>& d
     sum += f(at);
     ++inside;
   }
-  return inside > 0 ? (1.0 / inside) * sum : f(x);
+  return inside > 0 ? (1.0 / inside) * sum : f(into_shape(distance, x, dx));
 }
 
 /// What the formulas of a body say; nothing where it has none.

@@ -1,10 +1,12 @@
 #include "record/lift_off.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include "field/exchange.hpp"
 #include "field/window.hpp"
 #include "parallel/archive.hpp"
 
@@ -23,16 +25,6 @@ bool has_surface(const State<Dim>& state, int body, int slot, int cell) {
   return std::abs(b.phi[cell]) <= half_diagonal;
 }
 
-/// Whether a pair touched in a cell in the last step; the slot may be a copy. A rigid body remembers nothing.
-template <int Dim>
-bool touches(const State<Dim>& state, int lower, int higher, int slot, int cell) {
-  for (const auto& [m, partner] : {std::pair{lower, higher}, std::pair{higher, lower}}) {
-    const Body<Dim>& body = state.bodies[m];
-    if (!body.rigid && body.present(slot) && (body.at(slot).contact[cell] >> partner & 1U) != 0) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -49,17 +41,44 @@ void LiftOffWatch<Dim>::note(const State<Dim>& state) {
 }
 
 template <int Dim>
-void LiftOffWatch<Dim>::scan(const State<Dim>& state, int slot, int pair, Touched& t,
-                             parallel::Bytes& out) const {
+typename LiftOffWatch<Dim>::Copies LiftOffWatch<Dim>::look_at_copies(const State<Dim>& state,
+                                                                     const parallel::World& world) const {
+  const auto pack_slot = [&](int slot, int /*rank*/, parallel::Bytes& bytes) {
+    std::vector<std::array<int, 2>> cells;  // pair, cell
+    for (auto at = touched_.lower_bound({slot, 0}); at != touched_.end() && at->first.first == slot; ++at)
+      for (std::size_t k = 0; k < at->second.time.size(); ++k)
+        if (lately(state.time, at->first.second, at->second.time[k]))
+          cells.push_back({at->first.second, static_cast<int>(k)});
+    parallel::pack(bytes, cells.size());
+    parallel::pack(bytes, cells.data(), cells.size());
+  };
+  Copies copies;
+  exchange(state.mesh, world, pack_slot, [&](int slot, parallel::Unpacker& reader) {
+    for (auto left = reader.read<std::size_t>(); left > 0; --left) {
+      const auto [pair, cell] = reader.read<std::array<int, 2>>();
+      copies[{slot, pair}].push_back(cell);
+    }
+  });
+  return copies;
+}
+
+template <int Dim>
+void LiftOffWatch<Dim>::scan(const State<Dim>& state, int slot, int pair, Touched& t, const Copies& copies,
+                             std::vector<Place>& out) const {
   const Box<Dim> layout = state.grid().layout();
   const BodyBlock<Dim>&first = state.bodies[t.lower].at(slot), &second = state.bodies[t.higher].at(slot);
   if (!first.present || !second.present) return;
   const Index<Dim> home = state.mesh.block(slot).cells.lo;
   const Window<Dim> window(state.mesh, slot, 1);
-  const double hold = hold_[pair], dx = state.grid().dx;
-  const auto touched_lately = [&](std::size_t k) { return t.time[k] >= 0 && state.time - t.time[k] < hold; };
+  const double dx = state.grid().dx;
+  const auto touched_lately = [&](int s, int cell) {
+    if (const auto own = touched_.find({s, pair}); own != touched_.end())
+      return lately(state.time, pair, own->second.time[static_cast<std::size_t>(cell)]);
+    const auto copy = copies.find({s, pair});
+    return copy != copies.end() && std::ranges::binary_search(copy->second, cell);
+  };
   for (std::size_t k = 0; k < t.time.size(); ++k) {
-    if (t.time[k] < 0 || touched_lately(k)) continue;
+    if (t.time[k] < 0 || lately(state.time, pair, t.time[k])) continue;
     const Index<Dim> i = layout.index(static_cast<int>(k));
     Box<Dim> around{i, i};
     for (int d = 0; d < Dim; ++d) --around.lo[d], around.hi[d] += 2;
@@ -69,15 +88,12 @@ void LiftOffWatch<Dim>::scan(const State<Dim>& state, int slot, int pair, Touche
       if (from.slot < 0) return;
       first_near = first_near || has_surface(state, t.lower, from.slot, from.cell);
       second_near = second_near || has_surface(state, t.higher, from.slot, from.cell);
-      touching = touching || (layout.contains(j) ? touched_lately(layout.at(j))
-                                                 : touches(state, t.lower, t.higher, from.slot, from.cell));
+      touching = touching || touched_lately(from.slot, from.cell);
     });
     const bool both_near = first_near && second_near;
     if (both_near && (touching || first.phi[k] + second.phi[k] < parted * dx)) continue;
     const double time = std::exchange(t.time[k], -1.0);  // decided
-    if (!both_near) continue;
-    parallel::pack(out, state.mesh.block(slot).order);
-    parallel::pack(out, Place{pair, time, state.grid().centre(home + i)});
+    if (both_near) out.push_back({pair, time, state.grid().centre(home + i)});
   }
 }
 
@@ -85,20 +101,20 @@ template <int Dim>
 std::vector<typename LiftOffWatch<Dim>::Place> LiftOffWatch<Dim>::collect(const State<Dim>& state,
                                                                           const parallel::World& world) {
   if (Dim == 1) return {};
-  parallel::Bytes mine;
-  for (auto& [key, touched] : touched_) scan(state, key.first, key.second, touched, mine);
-  std::vector<std::pair<long, Place>> found;
-  for (const auto& bytes : world.gather(mine)) {
-    parallel::Unpacker reader(bytes);
-    while (!reader.empty()) {
-      const long order = reader.read<long>();
-      found.emplace_back(order, reader.read<Place>());
-    }
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& p, const auto& q) { return p.first < q.first; });
-  std::vector<Place> places;
-  for (const auto& [order, place] : found) places.push_back(place);
+  const Copies copies = look_at_copies(state, world);
+  std::vector<Place> mine, places;
+  for (auto& [key, touched] : touched_) scan(state, key.first, key.second, touched, copies, mine);
+  parallel::Bytes bytes;
+  parallel::pack(bytes, mine.data(), mine.size());
+  for (const auto& from : world.gather(bytes))
+    for (parallel::Unpacker reader(from); !reader.empty();) places.push_back(reader.template read<Place>());
+  std::ranges::sort(places, [](const Place& p, const Place& q) {
+    if (p.time != q.time) return p.time < q.time;
+    if (p.at != q.at)
+      return std::ranges::lexicographical_compare(p.at.c.rbegin(), p.at.c.rend(), q.at.c.rbegin(),
+                                                  q.at.c.rend());
+    return p.pair < q.pair;
+  });
   return places;
 }
 

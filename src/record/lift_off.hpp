@@ -14,8 +14,7 @@ inline constexpr int lift_off_steps = 20;
 
 /// Looks for places where two surfaces have parted although both are still there: cells in which a body
 /// touched a partner, where for the pair's hold time neither the cell nor one around it has touched, and
-/// where both surfaces are still near. A contact that has only moved on leaves no such place. Of cells around
-/// in other blocks only the last step is known.
+/// where both surfaces are still near. A contact that has only moved on leaves no such place.
 template <int Dim>
 class LiftOffWatch {
  public:
@@ -31,7 +30,7 @@ class LiftOffWatch {
   /// Remembers which cells touch; after every step. Not collective.
   void note(const State<Dim>& state);
   /// What has parted since the last call; to be called every `lift_off_steps` steps. Collective; on rank 0,
-  /// in the order of the blocks.
+  /// in the order of time, then of place along the last axis.
   std::vector<Place> collect(const State<Dim>& state, const parallel::World& world);
 
   /// After the blocks have changed: what is known of each goes where it is now. Where there are coarser cells
@@ -52,7 +51,13 @@ class LiftOffWatch {
       a(lower, higher, at.c, time);
     }
   };
-  void scan(const State<Dim>& state, int slot, int pair, Touched& touched, parallel::Bytes& out) const;
+  /// The cells of copies of other processes' blocks that have touched lately, by slot and pair.
+  using Copies = std::map<std::pair<int, int>, std::vector<int>>;
+
+  bool lately(double now, int pair, double touch) const { return touch >= 0 && now - touch < hold_[pair]; }
+  Copies look_at_copies(const State<Dim>& state, const parallel::World& world) const;
+  void scan(const State<Dim>& state, int slot, int pair, Touched& touched, const Copies& copies,
+            std::vector<Place>& out) const;
 
   std::vector<double> hold_;
   std::map<std::pair<int, int>, Touched> touched_;  // by slot and pair

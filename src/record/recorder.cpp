@@ -160,7 +160,7 @@ bool Recorder<Dim>::stopped() const {
 }
 
 template <int Dim>
-void Recorder<Dim>::abandon(const State<Dim>& state, const RunFacts& facts, const std::string& why) {
+Verdict Recorder<Dim>::abandon(const State<Dim>& state, const RunFacts& facts, const std::string& why) {
   Parts& p = *parts_;
   Evidence e = p.evidence_of(p.survey.own_evidence(state, facts.averaged));
   e.failure = why;
@@ -177,9 +177,11 @@ void Recorder<Dim>::abandon(const State<Dim>& state, const RunFacts& facts, cons
   s.budgets = p.budget.worst(), s.centres = p.centre.worst(), s.events = p.events.events(),
   s.floors = e.counters;
   write_summary(p.directory / "summary.json", s);
-  if (!p.first()) return;
-  p.flush();
-  p.save_status(state, "failed");
+  if (p.first()) {
+    p.flush();
+    p.save_status(state, "failed");
+  }
+  return s.verdict;
 }
 
 template <int Dim>

@@ -56,7 +56,7 @@ class Recorder {
   bool stopped() const;
   /// After a failure of this process: hands on what is written so far, says "failed" in status.json and why
   /// in summary.json. Not collective.
-  void abandon(const State<Dim>& state, const RunFacts& facts, const std::string& why);
+  Verdict abandon(const State<Dim>& state, const RunFacts& facts, const std::string& why);
 
   /// Events since the last call, for the live display; empty but on rank 0. Not collective.
   std::vector<Event> take_news();

@@ -73,8 +73,9 @@ constexpr std::array cures{
          "'material.*.damage'`; `recoil new spall` writes an "
          "example); without it the states after the tension are those of no material"},
     Cure{"melting",
-         "temperature = \"energy\" in [material.*.thermal], so that shocks heat and matter "
-         "melts"},
+         "a material of the case that shocks heat, so that it melts: e.g. [material.al] with base = "
+         "\"aluminium/6061-t6\" and thermal = { temperature = \"energy\" }, and material = \"al\" in the "
+         "body"},
     Cure{"thickness", "a finer mesh.finest"}, Cure{"unstable-steps", unstable_cure},
     Cure{"unstable-steps-stop", unstable_cure}};
 

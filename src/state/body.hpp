@@ -155,11 +155,9 @@ struct PairRecord {
 template <int Dim>
 struct FailureRecord {
   double time = std::numeric_limits<double>::infinity();  // s, start of the step
-  Index<Dim> cell{};                                      // the first of those that failed in it
+  Index<Dim> cell{};                                      // of those that failed in it: see merge()
 
-  void note(double now, const Index<Dim>& i) {
-    if (now < time) time = now, cell = i;
-  }
+  void note(double now, const Index<Dim>& i) { merge({now, i}); }
   /// Keeps the earlier one; of the same time that of the cell which comes first along the last axis.
   void merge(const FailureRecord& b) {
     bool before = b.time < time;

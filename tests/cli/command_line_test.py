@@ -303,7 +303,7 @@ class Run(Program):
 
     def test_a_numerical_failure_is_exit_3_and_leaves_what_is_known(self):
         result = self.run_coarse("--set", "time.fixed-dt=0.5 us")  # 20 times the stable step
-        self.expect(result, 3, "what is known is in")
+        self.expect(result, 3, "what is known is in", "verdict: stopped", "  stopped: ")
         self.assertIn("last dt 500 ns", (self.folder / "out" / "crash" / "process_0.txt").read_text())
         self.assertEqual(json.loads((self.folder / "out" / "status.json").read_text())["state"], "failed")
         summary = json.loads((self.folder / "out" / "summary.json").read_text())

@@ -22,8 +22,17 @@ class Plot(Program):
         for other in (self.folder / "nowhere", self.folder):
             self.expect(recoil("plot", out, "gauge.rear", "--with", other), 2, "there is no", str(other))
         self.expect(recoil("plot", out, "gauge.rear", "speed"), 2, "velocity")
+        self.expect(recoil("plot", out, "gauge.rear", "out.xyz"), 2, "'out.xyz' is neither a file that ends in .png", "velocity")
+        self.expect(recoil("plot", out, "gauge.nosuch"), 2, "there is no gauge 'nosuch'", "it has", "impact, ", "rear")
         self.expect(recoil("plot", self.folder / "nowhere", "pressure"), 2, "no folder")
         self.expect(recoil("plot", out, "pressure", "--at", "60 us"), 2, "beyond the end of the run", "last fields")
+
+    def test_a_field_that_was_not_written(self):
+        self.expect(self.run_coarse("--end", "0.1us", "--set", "output.fields.every=0.02us", "--set",
+                                    'output.fields.variables=["pressure", "velocity"]'), 0)  # fmt: skip
+        for words in ([], ["--xt"]):
+            self.expect(recoil("plot", self.folder / "out", "von-mises", *words), 2, "this run did not write the field 'von-mises'",
+                        "it has pressure, velocity", "[output.fields]")  # fmt: skip
 
     def test_a_column_without_numbers_is_no_picture(self):
         self.expect(self.run_coarse("--end", "0.1us"), 0)

@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from program import FLYER, PROGRAM, Program, recoil
+from program import DATA, FLYER, PROGRAM, Program, recoil
 
 
 class Study(Program):
@@ -108,7 +108,7 @@ class Verify(Program):
     def test_one_table_in_three_forms(self):
         out = self.folder / "out"
         self.expect(recoil("verify", self.expecting("-5.091 GPa"), "-o", out, "--write", self.folder / "table.md"), 0,
-                    "1 cases, 2 checks, 1 against references, 0 failed")
+                    "1 case, 2 checks, 1 against references, 0 failed")
         table = (self.folder / "table.md").read_text()
         self.assertIn("| -5.091 GPa | theory |", table)
         self.assertEqual(table, (out / "verify.md").read_text())
@@ -149,6 +149,15 @@ class Verify(Program):
 
     def test_lists_the_cases(self):
         self.expect(recoil("verify", "--list"), 0, "quick", "flyer_al_cu", "taylor_copper")
+
+    def test_lists_the_other_cases_where_one_cannot_be_read(self):
+        (self.folder / "cases" / "broken").mkdir(parents=True)
+        for name in ("case.toml", "expected.toml"):
+            (self.folder / "cases" / "broken" / name).write_text("format = 1\n")
+        (self.folder / "cases" / "flyer_al_cu").symlink_to(FLYER.parent)
+        (self.folder / "materials").symlink_to(DATA / "materials")
+        env = {**os.environ, "RECOIL_DATA": str(self.folder)}
+        self.expect(recoil("verify", "--list", env=env), 2, "Aluminium", "broken", "cannot be read: error")
 
 
 if __name__ == "__main__":

@@ -218,7 +218,7 @@ class Running(Scratch):
             recoil.run("flyer_al_cu", "fast", {**QUICK, "time.fixed-dt": "0.5 us"}, **FAST)
         self.assertEqual((caught.exception.exit_code, caught.exception.folder.name), (3, "fast"))
         self.assertEqual(recoil.open(caught.exception.folder).verdict, "stopped")
-        with self.assertRaisesRegex(recoil.InputError, "holds a finished run"):
+        with self.assertRaisesRegex(recoil.InputError, "holds a finished run(?s:.*)force=True replaces it, out="):
             recoil.run("flyer_al_cu", "fast", QUICK)
         (self.folder / "file").write_text("")
         with self.assertRaises(recoil.EnvironmentError) as caught:

@@ -41,7 +41,7 @@ for (const name of ["axisymmetric", "line", "space"])
     const { page, complaints } = await opened(facts[name].page);
     await page.waitForSelector(".chart canvas");
     assert.equal(await page.locator("h1").textContent(), facts[name].title);
-    assert.match(await page.locator("header .chip").textContent(), new RegExp(facts[name].verdict));
+    assert.match(await page.locator("header .chip").first().textContent(), new RegExp(facts[name].verdict));
     assert.equal(await page.locator("#gauges article").count(), facts[name].gauges);
     assert.equal(await page.locator("#events tbody tr").count(), facts[name].events);
     for (const word of facts[name].words) assert.ok((await page.locator("main").textContent()).includes(word), word);
@@ -190,6 +190,48 @@ test("bodies in space have their size from every side", async () => {
   await page.close();
 });
 
+test("failed expectations and changes of the command line are said at the head", async () => {
+  const { page } = await opened(facts.axisymmetric.page);
+  assert.match(await page.locator("header .chip.failed").textContent(), /^\S+ \d+ of \d+ expectations? failed$/);
+  const verdict = await page.locator("#verdict").textContent();
+  assert.ok(verdict.includes("Changed on the command line:") && verdict.includes("mesh.finest = 0.5 mm"), verdict);
+  assert.doesNotMatch(verdict, /\d\u00b710.{1,3}\u00a0%/);
+  await page.close();
+});
+
+test("a run that was stopped says nothing of what was not counted", async () => {
+  const { page, complaints } = await opened(facts.stopped.page);
+  const verdict = await page.locator("#verdict").textContent();
+  assert.match(await page.locator("header .chip").first().textContent(), /stopped/);
+  assert.doesNotMatch(verdict, /Cells with matter0|Rate0/);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("a run that went on beyond its end says so", async () => {
+  const { page } = await opened(facts.longer.page);
+  const text = await page.locator("#verdict .facts").textContent();
+  assert.match(text, /Time0\.3 of 0\.3/);
+  await page.close();
+});
+
+for (const name of ["axisymmetric", "space"])
+  test(`${name}: names of bodies stand inside of them, and not on each other`, async () => {
+    const { page } = await opened(facts[name].page);
+    await waitShown(page, "0 0 pressure");
+    const names = JSON.parse(await page.locator(FIELD).getAttribute("data-names"));
+    const area = JSON.parse(await page.locator(FIELD).getAttribute("data-area"));
+    assert.deepEqual(names.map((n) => n.name).sort(), facts[name].bodies);
+    for (const [k, a] of names.entries()) {
+      for (const b of names.slice(0, k)) assert.ok(Math.abs(a.y - b.y) >= 12 || Math.abs(a.x - b.x) > 30, `${a.name} on ${b.name}`);
+      const x = area.x.from + ((a.inside[0] - area.left) / area.width) * (area.x.to - area.x.from);
+      const y = area.y.from + (1 - (a.inside[1] - area.top) / area.height) * (area.y.to - area.y.from);
+      await pointAt(page, x, y);
+      await page.waitForFunction((n) => document.querySelector("#fields aside").textContent.includes(n), a.name, { timeout: 5000 });
+    }
+    await page.close();
+  });
+
 test("two runs on one page", async () => {
   const { page, complaints } = await opened(facts.both.page);
   for (const name of facts.both.names)
@@ -207,7 +249,10 @@ test("a reference is drawn over its gauge", async () => {
   const { page } = await opened(facts.line.page);
   await page.waitForSelector("#gauges .u-legend");
   const legend = await page.locator("#gauges .u-legend").first().textContent();
-  assert.ok(legend.includes("reference.csv") && legend.includes("1-D waves"), legend);
+  assert.ok(legend.includes("reference.csv (reference)") && /1-D waves.* \(prediction\)/.test(legend), legend);
+  const borders = await page.locator("#gauges .u-legend").first().locator(".u-marker")
+    .evaluateAll((all) => all.map((m) => `${m.style.borderStyle || m.style.border} ${m.style.borderColor}`)); // prettier-ignore
+  assert.equal(new Set(borders.slice(1)).size, borders.length - 1, borders.join("; "));
   await page.close();
 });
 

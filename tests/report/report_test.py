@@ -8,6 +8,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -83,6 +84,7 @@ class Report(Program):
             "page": str(run / "report.html"), "title": title, "verdict": summary["verdict"],
             "gauges": case.count("[gauge."), "events": len(summary["events"]), "frame": frame,
             "frames": len(list((run / "fields").glob("*.hdf"))), "words": list(words),
+            "bodies": sorted(line.split(".")[1].rstrip("]") for line in case.splitlines() if re.fullmatch(r"\[body\.[-\w]+\]", line)),
             "lastEvent": self.frame_of_last_event(run, summary),
             "places": places(run, frame, fields, across, cell),
         }  # fmt: skip
@@ -94,6 +96,12 @@ class Report(Program):
         flight = self.folder / "flight"
         self.expect(recoil("run", DATA / "cases" / "free_flight_square", "-o", flight, "-j", 1, "--plain", "--end", "1us",
                            "--set", "output.fields.every=0.5us"), 5)
+        stopped, longer = self.folder / "stopped", self.folder / "longer"
+        self.expect(recoil("run", DATA / "cases" / "flyer_al_cu", "-o", stopped, "-j", 1, "--plain", *COARSE, "--set",
+                           "time.fixed-dt=0.5 us"), 3)  # fmt: skip
+        self.expect(recoil("run", DATA / "cases" / "free_flight_square", "-o", longer, "-j", 1, "--plain", "--end", "0.2us",
+                           "--set", "output.checkpoint.every=0.1us"), 5)  # fmt: skip
+        self.expect(recoil("resume", longer, "-j", 1, "--plain", "--to", "0.3us"), 5)
         other = self.run_case("flyer_al_cu", "other", "mesh.finest=0.25mm", "output.report=false")
         space = self.run_case("sphere_on_plate", "space", "mesh.finest=2mm", "time.end=4us",
                               "output.fields.every=1us")
@@ -115,6 +123,7 @@ class Report(Program):
         said = recoil("report", plane, "-o", small, "--max-mb", "0.2")
         self.expect(said, 0, "dumps of the fields shown")
         self.assertLess(small.stat().st_size, 0.25e6)
+        facts["stopped"], facts["longer"] = {"page": str(stopped / "report.html")}, {"page": str(longer / "report.html")}
         facts["flight"] = {"page": str(flight / "report.html")}
         facts["both"] = {"page": str(both), "names": ["line", "other"]}
         facts["small"] = {"page": str(small), "omission": said.stdout.split(": ")[1].split(" shown")[0]}

@@ -67,13 +67,31 @@ Point2 middle_of(const FieldPicture& p, std::size_t body) {
   return {p.mirror ? 0 : sum.x / count, sum.y / count};
 }
 
+/// The arrows of a body: one in its middle, or several where its velocity is that of formulas.
+std::vector<StartArrow> arrows_of(const FieldPicture& p, const config::Case& c, const StartMotion& m,
+                                  int dim) {
+  if (!has_velocity_field(c, m)) {
+    const Point2 middle = middle_of(p, m.body);
+    return {{{middle.x, middle.y, 0}, m.velocity, m.label}};
+  }
+  std::vector<config::Vector> places;
+  const auto of_body = [&](int i, int j) {
+    const auto k = static_cast<std::size_t>(i) + static_cast<std::size_t>(p.nx) * static_cast<std::size_t>(j);
+    return p.values[k] == static_cast<double>(m.body + 1) && (dim > 1 || j == p.ny / 2);
+  };
+  for (const auto& [i, j] : spread_inside(p.nx, p.ny, of_body))
+    places.push_back({p.x0 + (i + 0.5) * p.dx, p.y0 + (j + 0.5) * p.dy, 0});
+  return field_arrows(c, m, places);
+}
+
 void add_marks(FieldPicture& p, const config::Case& c, int dim) {
   const double middle = p.y0 + 0.5 * p.ny * p.dy;  // of the strip that stands for a line
   for (const StartMotion& m : start_motions(c))
-    p.marks.push_back({.at = middle_of(p, m.body),
-                       .way = {m.velocity[0], dim > 1 ? m.velocity[1] : 0},
-                       .label = m.label,
-                       .arrow = true});
+    for (const StartArrow& arrow : arrows_of(p, c, m, dim))
+      p.marks.push_back({.at = {arrow.at[0], arrow.at[1]},
+                         .way = {arrow.velocity[0], dim > 1 ? arrow.velocity[1] : 0},
+                         .label = arrow.label,
+                         .arrow = true});
   for (const GaugePlace& g : gauge_places(c))
     p.marks.push_back({.at = {g.at[0], dim > 1 ? g.at[1] : middle}, .label = g.name});
 }

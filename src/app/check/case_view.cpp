@@ -57,17 +57,26 @@ struct Seen {
   int rays = 0;
 };
 
+const Hit& hit_at(const SpaceRays& rays, int i, int j) {
+  return rays.hits[static_cast<std::size_t>(i) +
+                   static_cast<std::size_t>(rays.screen.nx) * static_cast<std::size_t>(j)];
+}
+
+Vec<3> place_of_hit(const SpaceRays& rays, const View& view, int i, int j) {
+  const Screen& s = rays.screen;
+  return s.corner + view.right * ((i + 0.5) * s.pixel) - view.up * ((j + 0.5) * s.pixel) +
+         view.forward * hit_at(rays, i, j).depth;
+}
+
 std::vector<Seen> seen_parts(const SpaceRays& rays, const View& view, std::size_t bodies) {
   std::vector<Seen> seen(bodies);
   const Screen& s = rays.screen;
   for (int j = 0; j < s.ny; ++j)
     for (int i = 0; i < s.nx; ++i) {
-      const Hit& hit = rays.hits[static_cast<std::size_t>(i) +
-                                 static_cast<std::size_t>(s.nx) * static_cast<std::size_t>(j)];
+      const Hit& hit = hit_at(rays, i, j);
       if (!hit.any()) continue;
       Seen& its = seen[static_cast<std::size_t>(hit.body)];
-      its.sum = its.sum + s.corner + view.right * ((i + 0.5) * s.pixel) - view.up * ((j + 0.5) * s.pixel) +
-                view.forward * hit.depth;
+      its.sum = its.sum + place_of_hit(rays, view, i, j);
       ++its.rays;
     }
   return seen;
@@ -97,11 +106,30 @@ double how_much_is_seen(const config::Case& c, const CaseView& v) {
 }
 
 /// Adds gauges and velocities; the note names bodies that are not seen.
+/// Arrows on what is seen of a body whose velocity is that of formulas.
+void add_field_marks(SpacePicture& p, const config::Case& c, const SpaceRays& rays,
+                     const StartMotion& motion) {
+  const auto of_body = [&](int i, int j) {
+    const Hit& hit = hit_at(rays, i, j);
+    return hit.any() && static_cast<std::size_t>(hit.body) == motion.body;
+  };
+  std::vector<config::Vector> places;
+  for (const auto& [i, j] : spread_inside(rays.screen.nx, rays.screen.ny, of_body)) {
+    const Vec<3> x = place_of_hit(rays, p.view, i, j);
+    places.push_back({x[0], x[1], x[2]});
+  }
+  for (const StartArrow& arrow : field_arrows(c, motion, places))
+    p.marks.push_back({config::first_components<3>(arrow.at), config::first_components<3>(arrow.velocity),
+                       arrow.label, true});
+}
+
 void add_marks(SpacePicture& p, const config::Case& c, const SpaceRays& rays) {
   const std::vector<Seen> seen = seen_parts(rays, p.view, c.bodies.size());
   for (const StartMotion& motion : start_motions(c)) {
     const Seen& its = seen[motion.body];
-    if (its.rays > 0)
+    if (has_velocity_field(c, motion))
+      add_field_marks(p, c, rays, motion);
+    else if (its.rays > 0)
       p.marks.push_back(
           {its.sum * (1.0 / its.rays), config::first_components<3>(motion.velocity), motion.label, true});
   }

@@ -126,6 +126,26 @@ void check_parting(LoadedCase& loaded, const std::vector<Approach>& all) {
   }
 }
 
+/// Whether a body of an axisymmetric case has matter in the cells at the axis.
+bool reaches_axis(const Body& b, const Case& c) {
+  const double dx = c.mesh.finest;
+  if (c.domain.geometry != config::Geometry::axisymmetric || c.domain.lo[0] > 0) return false;
+  for (double z = c.domain.lo[1] + 0.5 * dx; z < c.domain.hi[1]; z += dx)
+    if (distance_of(b, {0.5 * dx, z, 0}, c.domain) < 0) return true;
+  return false;
+}
+
+/// Along r matter at the axis has nowhere to come from or go to.
+void check_axis(LoadedCase& loaded) {
+  for (const Body& b : loaded.contents.bodies)
+    if (!b.rigid && !b.takes_up_fragments() && b.velocity[0] != 0 && reaches_axis(b, loaded.contents))
+      loaded.found.warning(
+          place_of(loaded, "body." + b.name + ".velocity", b.place),
+          fmt::format("'{}' reaches the axis, where matter cannot move along r: its velocity {} it", b.name,
+                      b.velocity[0] > 0 ? "tears a hole into" : "presses together"),
+          "velocity-field = { r = \"100*m/s * r/(4*mm)\" } grows from 0 at the axis");
+}
+
 /// Points that light nothing, or only after the end of the run.
 void check_lighting(LoadedCase& loaded, const Body& b) {
   const Case& c = loaded.contents;
@@ -198,13 +218,14 @@ void check_motion(LoadedCase& loaded) {
         "nothing moves: no body has a velocity, a spin, a radial-velocity, a velocity-field, a pressure or a "
         "detonation",
         fmt::format("e.g. velocity = {{ {} = \"450 m/s\" }} in [body.{}]",
-                    config::axes_of(c.domain.geometry).front(), c.bodies.front().name));
+                    config::axes_of(c.domain.geometry).back(), c.bodies.front().name));
     return;
   }
   const std::vector<Approach> all = find_approaches(c);
   for (const Approach& p : first_meetings(all))
     if (p.time < c.time.end) check_speed(loaded, p), check_rigid_pair(loaded, p);
   check_parting(loaded, all);
+  check_axis(loaded);
 }
 
 }  // namespace recoil::app

@@ -10,6 +10,7 @@
 
 #include "app/check/checks.hpp"
 #include "app/data_folder.hpp"
+#include "config/units.hpp"
 #include "core/closest.hpp"
 #include "record/field_dump.hpp"
 #include "record/findings.hpp"
@@ -41,16 +42,20 @@ void check_variables(LoadedCase& loaded) {
   }
 }
 
+/// Whether the end of the run comes from the command line, which may end it early.
+bool is_cut_short(const LoadedCase& loaded) {
+  const Node* end = loaded.document.find("time.end");
+  return end && end->place.file != loaded.contents.file;
+}
+
 /// A run that the command line ends early shall not stumble over the intervals of its file.
 void check_interval(LoadedCase& loaded, const std::string& path, double every) {
   const config::Case& c = loaded.contents;
   if (!(every > c.time.end)) return;
-  const Node* end = loaded.document.find("time.end");
-  const bool cut_short = end && end->place.file != c.file;
   const std::string message = fmt::format("'every' = {:.4g} us lies beyond the end of the run at {:.4g} us",
                                           every * 1e6, c.time.end * 1e6);
   const config::Place place = place_of(loaded, path, {c.file});
-  if (cut_short)
+  if (is_cut_short(loaded))
     loaded.found.warning(place, message, "only the first and the last are written");
   else
     loaded.found.error(place, message,
@@ -69,6 +74,20 @@ void check_intervals(LoadedCase& loaded) {
             check_interval(loaded, "gauge." + g.name + ".every", kind.every);
         },
         g.kind);
+}
+
+/// Times that a run does not reach are never met.
+void check_expected_times(LoadedCase& loaded) {
+  const double end = loaded.contents.time.end;
+  if (is_cut_short(loaded)) return;
+  for (const config::Expectation& e : loaded.contents.expect) {
+    if (e.is_flag || e.at_most || config::dimension_name(e.unit) != "time") continue;
+    if (const double earliest = e.at_least ? e.value : e.value - e.tolerance; earliest > end)
+      loaded.found.warning(e.place,
+                           fmt::format("'{}' cannot be met: the run ends at {:.4g} us, before {:.4g} us",
+                                       e.quantity, end * 1e6, earliest * 1e6),
+                           "let time.end be later");
+  }
 }
 
 /// The keys of the library's bibliography: "@article{zhu1995,".
@@ -101,6 +120,7 @@ void check_expectations(LoadedCase& loaded) {
   Quantities known = known_quantities(loaded.contents);
   known.folder = loaded.folder;  // where the curves lie that they compare with
   check_known(known, loaded.contents.expect, loaded.found);
+  if (!loaded.found.has_errors()) check_expected_times(loaded);
 }
 
 void check_output(LoadedCase& loaded) {

@@ -105,9 +105,13 @@ int plot_record(PlotOptions o, const Record& record) {
 void require_gauge(const std::string& run, const std::string& file, const std::string& name) {
   if (fs::exists(fs::path(run) / file)) return;
   require_folder(run);
-  const std::string near = did_you_mean(name, gauges_in(run));
-  throw InputError(
-      fmt::format("there is no gauge '{}' in {}{}{}", name, run, near.empty() ? "" : "\n   = help: ", near));
+  const std::vector<std::string> all = gauges_in(run);
+  const std::string near = did_you_mean(name, all);
+  throw InputError(fmt::format("there is no gauge '{}' in {}\n   = help: {}", name, run,
+                               !near.empty() ? near
+                               : all.empty()
+                                   ? std::string("it has no gauges; [gauge.NAME] in the case makes one")
+                                   : fmt::format("it has {}", fmt::join(all, ", "))));
 }
 
 int plot_gauge(const PlotOptions& o, const std::string& name) {
@@ -117,12 +121,25 @@ int plot_gauge(const PlotOptions& o, const std::string& name) {
   return plot_record(o, {file, name, o.what.size() > 1 ? o.what[1] : ""});
 }
 
+/// @throws InputError for a second word after a gauge that is neither a column nor the name of a picture.
+void refuse_unknown_file(const PlotOptions& o) {
+  const std::string name = o.what.front().substr(o.what.front().starts_with("gauge.") ? 6 : 0);
+  const fs::path file = fs::path(o.folder) / "gauges" / (name + ".csv");
+  if (!fs::exists(file) || fs::path(o.what.back()).extension().empty()) return;
+  const CsvTable table = read_csv(file);
+  if (table.has(o.what.back())) return;
+  throw InputError(fmt::format(
+      "'{}' is neither a file that ends in .png, .svg or .pdf nor a column of the gauge '{}'\n   = "
+      "help: its columns are {}",
+      o.what.back(), name, fmt::join(std::span(table.columns).subspan(1), ", ")));
+}
+
 /// Takes the file off the words, if one is given: after a gauge and its column, or behind anything else.
 void take_file(PlotOptions& o, bool is_gauge) {
   if (o.what.size() < 2) return;
   const std::string suffix = fs::path(o.what.back()).extension().string();
   const bool known = suffix == ".png" || suffix == ".svg" || suffix == ".pdf";
-  if (!known && is_gauge && o.what.size() == 2) return;
+  if (!known && is_gauge && o.what.size() == 2) return refuse_unknown_file(o);
   picture_format(o.what.back());
   if (!o.file.empty()) throw InputError(fmt::format("two files are given: {} and {}", o.what.back(), o.file));
   o.file = o.what.back();

@@ -17,6 +17,7 @@
 #include "app/plot/colour_options.hpp"
 #include "app/plot/field_plotter.hpp"
 #include "app/plot/plot_file.hpp"
+#include "app/plot/written_field.hpp"
 #include "config/geometry.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
@@ -86,8 +87,9 @@ int plot_field_over_time(const PlotOptions& given) {
                         std::numeric_limits<double>::quiet_NaN());
   const std::vector<double> nothing = picture.values;
   for (int j = 0; j < picture.ny; ++j) {
+    const RunUnits units = run_units(c.domain.geometry);
     const FieldPlane plane =
-        field_plane(read_vtkhdf(dumps[j].path), o.what.front(), run_units(c.domain.geometry));
+        field_plane(read_with_field(dumps[j].path, o.what.front(), units), o.what.front(), units);
     picture.label = plane.label;
     picture.categories = plane.categories;
     signed_values = plane.signed_values;

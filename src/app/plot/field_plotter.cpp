@@ -16,6 +16,7 @@
 #include "app/plot/line_out.hpp"
 #include "app/plot/plane_option.hpp"
 #include "app/plot/plot_file.hpp"
+#include "app/plot/written_field.hpp"
 #include "config/geometry.hpp"
 #include "config/units.hpp"
 #include "core/error.hpp"
@@ -187,8 +188,8 @@ FieldPlotter::FieldPlotter(const PlotOptions& o, const LoadedCase& run)
 }
 
 FieldPlane FieldPlotter::whole_plane(const ChosenDump& dump) const {
-  const VtkhdfFile file = read_vtkhdf(dump.path);
   const RunUnits units = run_units(case_.domain.geometry);
+  const VtkhdfFile file = read_with_field(dump.path, options_.what.front(), units);
   const int axis = axis_across(slice_);
   if (axis < 0) return field_plane(file, options_.what.front(), units, slice_);
   const double place = slice_.normal[axis] < 0 ? -slice_.distance : slice_.distance;
@@ -212,9 +213,12 @@ FieldPlane FieldPlotter::plane_of(const ChosenDump& dump) const {
 }
 
 LineChart FieldPlotter::curve_in(const ChosenDump& dump, const std::string& note) const {
-  if (is_line_in_space(options_.along))
-    return line_in_space({read_vtkhdf(dump.path), options_.what.front(), run_units(case_.domain.geometry)},
-                         options_.along, case_.title, note);
+  if (is_line_in_space(options_.along)) {
+    const RunUnits units = run_units(case_.domain.geometry);
+    return line_in_space(
+        {read_with_field(dump.path, options_.what.front(), units), options_.what.front(), units},
+        options_.along, case_.title, note);
+  }
   const FieldPlane plane = plane_of(dump);
   if (is_line_) return curve_of(plane, case_.title, note);
   const bool mirror = case_.domain.geometry == config::Geometry::axisymmetric;

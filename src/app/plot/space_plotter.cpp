@@ -14,6 +14,7 @@
 #include "app/plot/plane_option.hpp"
 #include "app/plot/plot_file.hpp"
 #include "app/plot/rigid_scene.hpp"
+#include "app/plot/written_field.hpp"
 #include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "picture/axis.hpp"
@@ -101,10 +102,9 @@ SpacePlotter::Frame SpacePlotter::frame_of(const ChosenDump& dump) const {
   }
   if (bodies.empty() && !options_.bodies.empty())
     throw InputError("--body names rigid bodies only, which have no field\n   = help: add a deformable one");
-  const VtkhdfFile file = read_vtkhdf(dump.path);
-  return {{file, options_.what.front(), run_units(case_.domain.geometry), bodies},
-          rigid_places_in(file.grid),
-          file.time_s};
+  const RunUnits units = run_units(case_.domain.geometry);
+  const VtkhdfFile file = read_with_field(dump.path, options_.what.front(), units);
+  return {{file, options_.what.front(), units, bodies}, rigid_places_in(file.grid), file.time_s};
 }
 
 template <class F>

@@ -31,9 +31,9 @@ struct Points {
   }
 };
 
-Json curve_json(const std::string& label, const std::string& column, const std::vector<double>& x,
-                const std::vector<double>& y) {
-  Json j = {{"label", label}, {"column", column}, {"x", Json::array()}, {"y", Json::array()}};
+Json curve_json(const std::string& kind, const std::string& label, const std::string& column,
+                const std::vector<double>& x, const std::vector<double>& y) {
+  Json j = {{"kind", kind}, {"label", label}, {"column", column}, {"x", Json::array()}, {"y", Json::array()}};
   for (const double v : x) j["x"].push_back(number(v));
   for (const double v : y) j["y"].push_back(number(v));
   return j;
@@ -69,7 +69,7 @@ void add_references(Json& all, const config::Gauge& gauge, const LoadedCase& loa
     if (!seen.insert(named->column + " " + named->file.string()).second) continue;
     const CsvTable reference = read_csv(run / named->file);
     const std::string over = table.columns.front(), column = table.columns[table.index(named->column)];
-    all.push_back(curve_json(named->file.string(), named->column,
+    all.push_back(curve_json("reference", named->file.string(), named->column,
                              in_unit_of(table, over, reference, reference.columns.front()),
                              in_unit_of(table, column, reference, named->file_column)));
     if (const std::string note = note_of(reference.comments); !note.empty()) all.back()["note"] = note;
@@ -127,13 +127,13 @@ void add_prediction(Json& all, const config::Gauge& gauge, const PlatePrediction
     const config::Vector& velocity = c.bodies[static_cast<std::size_t>(p.pair.target)].velocity;
     const double before = p.pair.direction * velocity[static_cast<std::size_t>(p.pair.axis)];
     const Points points = rear_velocity(p, before, c.time.end);
-    all.push_back(
-        curve_json(p.plateau_is_bound ? "1-D waves, at most" : "1-D waves", "velocity", points.t, points.y));
+    all.push_back(curve_json("prediction", p.plateau_is_bound ? "1-D waves, at most" : "1-D waves",
+                             "velocity", points.t, points.y));
   }
   if (const auto* contact = std::get_if<config::ContactGauge>(&gauge.kind);
       contact && is_pair(*contact, p, c)) {
     const Points points = traction(p, c.time.end);
-    all.push_back(curve_json("1-D waves", "traction", points.t, points.y));
+    all.push_back(curve_json("prediction", "1-D waves", "traction", points.t, points.y));
   }
 }
 

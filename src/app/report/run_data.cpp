@@ -13,6 +13,7 @@
 #include "app/check/prediction.hpp"
 #include "app/report/comparisons.hpp"
 #include "app/report/material_data.hpp"
+#include "app/run/resolved_case.hpp"
 #include "config/geometry.hpp"
 #include "core/error.hpp"
 #include "format/csv.hpp"
@@ -137,6 +138,7 @@ Json crash_json(const fs::path& folder) {
 
 Json run_data(const fs::path& run, const LoadedCase& loaded, Blocks& blocks) {
   const config::Case& c = loaded.contents;
+  const std::string resolved = text_of(run / "case.resolved.toml");
   Json j = {{"name", fs::absolute(run).lexically_normal().filename().string()},
             {"title", c.title},
             {"geometry", config::name_of(c.domain.geometry)},
@@ -149,7 +151,8 @@ Json run_data(const fs::path& run, const LoadedCase& loaded, Blocks& blocks) {
             {"crash", crash_json(run / "crash")},
             {"predicted", predicted(loaded)},
             {"case", text_of(run / "case.toml")},
-            {"resolved", text_of(run / "case.resolved.toml")},
+            {"resolved", resolved},
+            {"changes", changes_of(resolved)},
             {"events", events_json(run / "events.csv")},
             {"fragments", fragments_json(run / "fragments.csv")}};
   for (const config::Body& body : c.bodies)

@@ -151,8 +151,10 @@ int simulate_and_report(const LoadedCase& loaded, const SimulationOptions& optio
 }
 
 /// What `run` and `resume` have in common once the case is read.
-template <class Options>
-int start(const Options& options, const LoadedCase& loaded, SimulationOptions& simulation, bool force) {
+/// @param prepare_folder done by one process, which holds the folder.
+template <class Options, class Prepare>
+int start(const Options& options, const LoadedCase& loaded, SimulationOptions& simulation,
+          const Prepare& prepare_folder) {
   simulation.speaks = speaks();
   simulation.display = display_of(options);
   simulation.verbose = options.verbose;
@@ -168,7 +170,7 @@ int start(const Options& options, const LoadedCase& loaded, SimulationOptions& s
   if (simulation.speaks) {
     refuse_foreign(simulation.folder);  // before the lock leaves its file there
     lock.emplace(simulation.folder);
-    if (simulation.checkpoint.empty()) prepare_run_folder(simulation.folder, loaded, force);
+    prepare_folder();
   }
   if (launched())
     prepare_mpi_environment();
@@ -222,7 +224,8 @@ int run(const RunOptions& options) {
   loaded.found.throw_if_errors();
   simulation.folder =
       options.folder.empty() ? "runs/" + short_name(find_case_file(options.file)) : options.folder;
-  return start(options, loaded, simulation, options.force);
+  return start(options, loaded, simulation,
+               [&] { prepare_run_folder(simulation.folder, loaded, options.force); });
 }
 
 int resume(const ResumeOptions& options) {
@@ -245,7 +248,9 @@ int resume(const ResumeOptions& options) {
         "error: the checkpoint is at {:.6g} us, and the run would end at {:.6g} us\n   = help: --to a later "
         "time, or --from an earlier checkpoint",
         then.time * 1e6, loaded.contents.time.end * 1e6));
-  return start(options, loaded, simulation, false);
+  return start(options, loaded, simulation, [&] {
+    if (!options.to.empty() || !options.overrides.empty()) write_resolved_case(simulation.folder, loaded);
+  });
 }
 
 }  // namespace recoil::app

@@ -3,16 +3,13 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <thread>
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/run/checkpoint_folder.hpp"
-#include "app/run/run_folder.hpp"
+#include "app/run/standing.hpp"
 #include "core/error.hpp"
 #include "format/block_file.hpp"
 
@@ -21,30 +18,6 @@ namespace recoil::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Where a run stood when it wrote something last.
-struct Standing {
-  std::string state;
-  double time_us = 0, end_us = 0, dt_ns = 0, wall_s = 0, left_s = 0;
-  long step = 0;
-};
-
-Standing read_status(const fs::path& file) {
-  std::ifstream in(file);
-  const auto j = nlohmann::json::parse(in, nullptr, false);
-  const auto number = [&](const char* key) {
-    return j.contains(key) && j[key].is_number() ? j[key].get<double>() : 0.0;
-  };
-  if (!j.is_object() || !j.contains("state") || !j["state"].is_string())
-    throw InputError(fmt::format("error: '{}' cannot be read", file.string()));
-  return {j["state"].get<std::string>(),
-          number("time_us"),
-          number("end_us"),
-          number("dt_ns"),
-          number("wall_s"),
-          number("left_s"),
-          static_cast<long>(number("step"))};
-}
 
 /// What the newest checkpoint is worth; nothing where there is none.
 std::string resume_text(const fs::path& folder) {
@@ -81,15 +54,10 @@ std::string text_of(const Standing& s, const std::string& folder) {
 int status(const StatusOptions& options) {
   const fs::path folder = options.folder, file = folder / "status.json";
   for (;;) {
-    const bool held = RunLock::is_held(folder);
-    if (!fs::exists(file) && !fs::exists(folder / "case.resolved.toml"))
-      throw InputError(fmt::format(
-          "error: {} holds no run: there is no status.json\n   = help: give the folder of a run, runs/NAME",
-          options.folder));
-    Standing s = fs::exists(file) ? read_status(file) : Standing{held ? "starting" : "interrupted"};
-    if (s.state == "running" && !held) s.state = "interrupted";
+    const Standing s = standing_of(folder);
     if (!fs::exists(file))
-      fmt::print("{}: {}\n", options.folder, held ? "starting" : "interrupted before its first step");
+      fmt::print("{}: {}\n", options.folder,
+                 s.state == "starting" ? "starting" : "interrupted before its first step");
     else
       fmt::print("{}", text_of(s, options.folder));
     if (s.state == "interrupted" || s.state == "stopped") fmt::print("{}", resume_text(folder));

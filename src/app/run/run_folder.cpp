@@ -161,6 +161,10 @@ RunLock::~RunLock() {
 
 RunLock::RunLock(RunLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
 
+void write_resolved_case(const fs::path& folder, const LoadedCase& loaded) {
+  write_atomically(folder / "case.resolved.toml", resolved_text(loaded));
+}
+
 void prepare_run_folder(const fs::path& folder, const LoadedCase& loaded, bool force) {
   try {
     refuse_foreign(folder);

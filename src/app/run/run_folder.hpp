@@ -33,4 +33,7 @@ class RunLock {
 /// files that are not of a run; EnvironmentError where the disk refuses.
 void prepare_run_folder(const std::filesystem::path& folder, const LoadedCase& loaded, bool force);
 
+/// Writes case.resolved.toml, of the case as it is computed from now on.
+void write_resolved_case(const std::filesystem::path& folder, const LoadedCase& loaded);
+
 }  // namespace recoil::app

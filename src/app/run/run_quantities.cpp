@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "app/command_line.hpp"
+#include "app/run/standing.hpp"
 #include "config/units.hpp"
 #include "core/closest.hpp"
 #include "core/error.hpp"
@@ -154,6 +156,30 @@ void add_aliases(Quantities& q) {
   }
 }
 
+/// Why a folder has no results.
+std::string why_none(const fs::path& run) {
+  if (!fs::exists(run / "status.json"))
+    return fmt::format("{} holds no finished run\n   = help: give the folder of a run, runs/NAME",
+                       run.string());
+  const Standing s = standing_of(run);
+  const std::string where = fmt::format("{:.4g} of {:.4g} us", s.time_us, s.end_us);
+  if (s.state == "running")
+    return fmt::format(
+        "the run in {} is still going, at {}: it has no results yet\n   = help: try again at its end; "
+        "`recoil status {}` says how long that takes",
+        run.string(), where, run.string());
+  if (s.state == "failed")
+    return fmt::format("the run in {} stopped at {} (exit code {}) and has no results\n   = help: see {}",
+                       run.string(), where, static_cast<int>(exit_numerical_failure),
+                       (run / (fs::exists(run / "report.html") ? "report.html" : "summary.json")).string());
+  if (s.state == "stopped" || s.state == "interrupted")
+    return fmt::format(
+        "the run in {} was {} at {} and has no results\n   = help: `recoil status {}` says how "
+        "to go on",
+        run.string(), s.state, where, run.string());
+  return fmt::format("{} holds no {}\n   = help: run the case again", run.string(), file_name);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -188,9 +214,7 @@ bool has_quantities(const fs::path& run) {
 }
 
 RunQuantities read_quantities(const fs::path& run, const fs::path& case_folder) {
-  if (!has_quantities(run))
-    throw InputError(fmt::format(
-        "{} holds no finished run with its quantities\n   = help: run the case again", run.string()));
+  if (!has_quantities(run)) throw InputError(why_none(run));
   RunQuantities r;
   r.file = run / file_name;
   const CsvTable table = read_csv(run / file_name);

@@ -79,6 +79,14 @@ void tell_traffic(Reporter& reporter, const parallel::World& world, const parall
                            1e-3 * most[1] / n));
 }
 
+/// What a verdict has to say of a failure, beyond its own text.
+void add_reasons(Failure& failure, const Verdict& verdict) {
+  for (const Reason& r : verdict.reasons) {
+    if (!failure.text.starts_with(r.text)) failure.text += "\n   " + r.text;
+    if (failure.place.empty() && !r.place.empty()) failure.body = r.body, failure.place = r.place;
+  }
+}
+
 template <int Dim>
 Refinement<Dim> refinement(const config::Case& c) {
   Refinement<Dim> rules{c.mesh.bend, c.mesh.every, {}};
@@ -184,16 +192,14 @@ void Simulation<Dim>::fail(const PhysicsError& e) {
   if (together) {
     failed.cpu_s = processor_seconds(world_, worked_);
     const Summary summary = recorder_->finish(state_, failed);
-    for (const Reason& r : summary.verdict.reasons) {
-      failure.text += "\n   " + r.text;
-      if (failure.place.empty()) failure.body = r.body, failure.place = r.place;
-    }
+    add_reasons(failure, summary.verdict);
     if (world_.rank() == 0) tell_verdict(reporter_, summary);
   } else {
-    recorder_->abandon(state_, failed, e.what());
-    reporter_.insist("verdict: stopped");
     if (const auto* state_error = dynamic_cast<const StateError*>(&e))
       failure.body = state_error->body, failure.place = state_error->place;
+    const Verdict known = recorder_->abandon(state_, failed, e.what());
+    add_reasons(failure, known);
+    tell_validity(reporter_, known);
   }
   const UnstructuredGrid all =
       together ? gather_fields(state_, world_, field_variables()) : UnstructuredGrid{};

@@ -16,13 +16,19 @@ std::string in_its_unit(double value, const std::string& unit) {
   return unit.empty() ? fmt::format("{:.5g}", value) : config::format_quantity(value, unit, 5);
 }
 
+/// "+2.3", "-156": two digits, and all of those before the point.
+std::string percent(double value, bool with_plus) {
+  const std::string text = std::abs(value) < 10 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+  return with_plus && value >= 0 ? "+" + text : text;
+}
+
 std::string expected_text(const config::Expectation& e) {
   if (e.is_flag) return e.flag ? "true" : "false";
   const std::string value = in_its_unit(e.value, e.unit);
   if (e.at_most) return "at most " + value;
   if (e.at_least) return "at least " + value;
   const double part = e.value != 0 ? std::abs(e.tolerance / e.value) : 0;
-  return part > 0 ? fmt::format("{} +- {:.2g} %", value, 100 * part)
+  return part > 0 ? fmt::format("{} +- {} %", value, percent(100 * part, false))
                   : fmt::format("{} +- {}", value, in_its_unit(e.tolerance, e.unit));
 }
 
@@ -30,7 +36,7 @@ std::string expected_text(const config::Expectation& e) {
 std::string error_text(const CheckResult& r) {
   const config::Expectation& e = r.expected;
   if (e.is_flag || e.at_most || e.at_least || e.value == 0 || !std::isfinite(r.measured.value)) return "";
-  return fmt::format("  ({:+.2g} %)", 100 * (r.measured.value - e.value) / std::abs(e.value));
+  return fmt::format("  ({} %)", percent(100 * (r.measured.value - e.value) / std::abs(e.value), true));
 }
 
 void tell_expectations(Reporter& reporter, const std::vector<CheckResult>& all) {
@@ -53,6 +59,13 @@ void tell_expectations(Reporter& reporter, const std::vector<CheckResult>& all) 
   }
 }
 
+}  // namespace
+
+std::string written(const CheckResult& r) {
+  if (r.measured.is_flag) return r.measured.flag ? "true" : "false";
+  return std::isfinite(r.measured.value) ? in_its_unit(r.measured.value, r.expected.unit) : "none";
+}
+
 void tell_validity(Reporter& reporter, const Verdict& v) {
   const std::string name = name_of(v.kind);
   reporter.insist(fmt::format("verdict: {}", name));
@@ -60,13 +73,6 @@ void tell_validity(Reporter& reporter, const Verdict& v) {
   for (const std::string& cure : v.cures) reporter.insist("   = help: " + cure);
   for (const auto* list : {&v.remarks, &v.notes})
     for (const std::string& line : *list) reporter.say("  " + line);
-}
-
-}  // namespace
-
-std::string written(const CheckResult& r) {
-  if (r.measured.is_flag) return r.measured.flag ? "true" : "false";
-  return std::isfinite(r.measured.value) ? in_its_unit(r.measured.value, r.expected.unit) : "none";
 }
 
 void tell_verdict(Reporter& reporter, const Summary& s) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/check/count_text.hpp"
 #include "app/check/estimate.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
@@ -152,16 +153,25 @@ std::vector<VerifiedCase> run_all(const std::vector<Work>& work, const fs::path&
   return results;
 }
 
+/// Each with its estimate; one that cannot be read or checked is named and does not hide the others.
 int list_cases() {
   std::vector<Work> all;
-  for (const std::string& file : shipped_files()) all.push_back(work_of(file));
+  std::vector<std::pair<std::string, std::string>> unreadable;
+  for (const std::string& file : shipped_files()) try {
+      all.push_back(work_of(file));
+    } catch (const InputError& e) {
+      const std::string said = e.what();
+      unreadable.emplace_back(short_name(file), said.substr(0, said.find('\n')));
+    }
   const std::vector<Work> quick = cheapest(all);
   for (const Work& w : all) {
     const bool is_quick =
         std::any_of(quick.begin(), quick.end(), [&](const Work& q) { return q.name == w.name; });
     fmt::print("{:<5} {:8.3g} s  {:<28} {}\n", is_quick ? "quick" : "", w.seconds, w.name, w.title);
   }
-  return exit_finished;
+  for (const auto& [name, said] : unreadable)
+    fmt::print("{:<5} {:>8} s  {:<28} cannot be read: {}\n", "", "-", name, said);
+  return unreadable.empty() ? exit_finished : exit_bad_input;
 }
 
 }  // namespace
@@ -189,8 +199,8 @@ int verify(const VerifyOptions& o) {
   if (!o.write.empty()) write_atomically(o.write, text);
   tell(fmt::format("\n{}\n{}\n", text, (folder / "verify.md").string()));
   const VerifyCount n = count(results);
-  tell(fmt::format("{} cases, {} checks, {} against references, {} failed\n", n.cases, n.values, n.references,
-                   n.failures));
+  tell(fmt::format("{}, {}, {} against references, {} failed\n", counted(n.cases, "case", "cases"),
+                   counted(n.values, "check", "checks"), n.references, n.failures));
   for (const VerifiedCase& c : results)
     if (!has_results(c.exit_code)) return c.exit_code;
   return n.failures > 0 ? exit_expectation_failed : exit_finished;

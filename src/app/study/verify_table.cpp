@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "app/check/count_text.hpp"
 #include "core/nothing.hpp"
 #include "format/csv.hpp"
 
@@ -160,9 +161,8 @@ std::string verify_markdown(const std::vector<VerifiedCase>& cases,
       "`expected.toml`, which gives the source\n"
       "of each number and the reason for its tolerance. Nothing here is typed by hand.\n\n";
   out += fmt::format(
-      "{} cases, {} checks, {} of them against a published, exact or independently computed reference: "
-      "{}.\n\n",
-      n.cases, n.values, n.references,
+      "{}, {}, {} of them against a published, exact or independently computed reference: {}.\n\n",
+      counted(n.cases, "case", "cases"), counted(n.values, "check", "checks"), n.references,
       n.failures == 0 ? "all met" : fmt::format("**{} failed**", n.failures));
   std::set<std::string> versions;
   for (const VerifiedCase& c : cases)

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/check/count_text.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/load_case.hpp"
@@ -117,9 +118,9 @@ void write_table(const Sweep& s, const SweepRuns& runs) {
   const std::string text = sweep_markdown(table, runs.shown());
   write_atomically(s.folder / "sweep.csv", sweep_csv(table));
   write_atomically(s.folder / "sweep.md", text);
-  tell(fmt::format("\n{}\n{}: {} runs, {} of them finished before; {} quantities of each\n", text,
-                   (s.folder / "sweep.csv").string(), table.rows.size(), runs.reused(),
-                   table.columns.size()));
+  tell(fmt::format("\n{}\n{}: {}, {} of them finished before; {} of each\n", text,
+                   (s.folder / "sweep.csv").string(), counted(table.rows.size(), "run", "runs"),
+                   runs.reused(), counted(table.columns.size(), "quantity", "quantities")));
 }
 
 int tell_stopped(const SweepRuns& runs) {

@@ -55,11 +55,14 @@ struct CraterGauge {
       reading.wrong("at", "a crater lies on the axis", "leave r out");
   }
   static std::vector<Column> columns() {
-    return {{"depth", "mm", "largest"},
-            {"diameter", "mm",
-             "of the circle with the area of what is deeper than half a cell or a hole; planar: its width"},
-            {"volume", "volume", "below the original plane, without what is a hole"},
-            {"hole-diameter", "mm", "the same of the lines that meet no matter of the piece; 0: no hole"}};
+    return {
+        {"depth", "mm", "largest"},
+        {"diameter", "mm",
+         "of the circle with the area of what is deeper than half a cell or a hole, with its images beyond "
+         "planes of symmetry; planar: its width"},
+        {"volume", "volume",
+         "below the original plane, without what is a hole; of what the domain holds, without images"},
+        {"hole-diameter", "mm", "the same of the lines that meet no matter of the piece; 0: no hole"}};
   }
 };
 

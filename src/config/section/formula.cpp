@@ -35,6 +35,10 @@ std::string fault_of(const mu::Parser::exception_type& e) {
       return "ends too early";
     case mu::ecMISSING_PARENS:
       return "lacks a parenthesis";
+    case mu::ecUNEXPECTED_VAL:
+    case mu::ecUNEXPECTED_VAR:
+    case mu::ecUNEXPECTED_FUN:
+      return fmt::format("lacks a '*' before '{}'", e.GetToken());
     case mu::ecTOO_MANY_PARAMS:
     case mu::ecTOO_FEW_PARAMS:
       return fmt::format("gives a function a wrong number of values at character {}", e.GetPos() + 1);
@@ -86,12 +90,23 @@ double Formula::at(const Vector& x, double length_unit, double time_unit) const 
   return parts_->parser.Eval();
 }
 
-bool Formula::is_velocity(const std::vector<Vector>& places) const {
-  constexpr double length_unit = 2, time_unit = 5, tolerance = 1e-9;
-  return std::ranges::all_of(places, [&](const Vector& x) {
-    const double one = at(x), other = at(x, length_unit, time_unit) * time_unit / length_unit;
+bool Formula::has_dimension(const std::vector<Vector>& places, int length, int time) const {
+  constexpr int largest = 24;  // binary digits: powers of units do not overflow, a bare number is passed
+  constexpr double tolerance = 1e-9;
+  const auto agrees = [&](const Vector& x, int of_length, int of_time) {
+    const double one = at(x);
+    const double other = std::ldexp(at(x, std::ldexp(1, of_length), std::ldexp(1, of_time)),
+                                    -(length * of_length + time * of_time));
     if (!std::isfinite(one) || !std::isfinite(other)) return true;
     return std::abs(other - one) <= tolerance * std::max(std::abs(one), std::abs(other));
+  };
+  const auto agrees_at = [&](const Vector& x) {
+    for (int digits = -largest; digits <= largest; ++digits)
+      if (!agrees(x, digits, 0) || !agrees(x, 0, digits) || !agrees(x, digits, digits)) return false;
+    return true;
+  };
+  return std::ranges::all_of(places, [&](const Vector& x) {
+    return agrees_at(x) && agrees_at({-x[0], -x[1], -x[2]});
   });
 }
 

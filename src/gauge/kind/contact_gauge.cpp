@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gauge/gauge_watch.hpp"
+#include "gauge/periods.hpp"
 #include "state/contact_sums.hpp"
 
 namespace recoil {
@@ -20,7 +21,7 @@ void probe_contact(const State<Dim>& state, int pair, const Vec<Dim>& at, double
     for (const Contact<Dim>& c : state.contacts[slot]) {
       const int lower = std::min(c.first, c.second), higher = std::max(c.first, c.second);
       if (!counts(state, c) || pair_number(lower, higher, state.count()) != pair) continue;
-      if (radius > 0 && norm(c.point - at) > radius) continue;
+      if (radius > 0 && norm(shortest_way(state.grid(), c.point, at)) > radius) continue;
       const double sign = c.first == lower ? 1 : -1, gap = c.gap / state.grid().dx;
       const Vec<Dim> force = force_on_lower(c), shear = (sign * c.area) * c.shear;
       row[A::area] += c.area;

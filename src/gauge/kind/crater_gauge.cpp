@@ -9,6 +9,7 @@
 
 #include "gauge/fragments/fragments.hpp"
 #include "gauge/gauge_watch.hpp"
+#include "gauge/periods.hpp"
 
 namespace recoil {
 
@@ -54,11 +55,12 @@ class CraterWatch : public GaugeWatch<Dim> {
     for_each(lines(), [&](const Index<Dim>& i) {
       const double area = area_of(i);
       if (area == 0) return;
-      const auto found = depth_.find(i.c);
+      const Index<Dim> line = mirrored(i);
+      const auto found = depth_.find(line.c);
       if (found == depth_.end()) return void((wide += area, open += area));
       const double depth = std::max(found->second, 0.0);
       deepest = std::fmax(deepest, depth);
-      volume += area * depth;
+      if (line == i) volume += area * depth;
       if (depth > 0.5 * grid_.dx) wide += area;
     });
     row.insert(row.end(), {deepest, width(wide), volume, width(open)});
@@ -70,23 +72,36 @@ class CraterWatch : public GaugeWatch<Dim> {
     if (!fresh) at->second = std::min(at->second, value);
   }
 
-  /// The lines that may be near enough.
+  /// Whether lines beyond an edge are images of those within. Those beyond the axis are not: rings are whole.
+  bool has_images(int d, int side) const {
+    return grid_.edge[d][side] == Edge::reflect && !(grid_.axisymmetric && d == 0);
+  }
+  /// The lines that may be near enough, images beyond planes of symmetry among them.
   Box<Dim> lines() const {
     Box<Dim> box = grid_.domain();
     for (int d = 0; d < Dim; ++d) {
       if (d == axis_) box.hi[d] = 1;
-      if (d == axis_) continue;
+      if (d == axis_ || grid_.periodic(d)) continue;
       const auto place = [&](double x) {
         return static_cast<int>(std::floor((x - grid_.origin[d]) / grid_.dx));
       };
-      box.lo[d] = std::max(box.lo[d], place(at_[d] - radius_));
-      box.hi[d] = std::min(box.hi[d], place(at_[d] + radius_) + 1);
+      const int n = grid_.cells[d];
+      box.lo[d] = std::max(has_images(d, 0) ? -n : 0, place(at_[d] - radius_));
+      box.hi[d] = std::min(has_images(d, 1) ? 2 * n : n, place(at_[d] + radius_) + 1);
     }
     return box;
   }
+  /// The line of the domain of which one beyond an edge is the image.
+  Index<Dim> mirrored(Index<Dim> i) const {
+    for (int d = 0; d < Dim; ++d) {
+      if (i[d] < 0) i[d] = -1 - i[d];
+      if (i[d] >= grid_.cells[d]) i[d] = 2 * grid_.cells[d] - 1 - i[d];
+    }
+    return i;
+  }
   /// Area that a line stands for [m^(Dim-1), whole rings]; 0 where it is too far away.
   double area_of(const Index<Dim>& i) const {
-    Vec<Dim> away = grid_.centre(i) - at_;
+    Vec<Dim> away = shortest_way(grid_, grid_.centre(i), at_);
     away[axis_] = 0;
     if (norm(away) > radius_) return 0;
     return grid_.dx_power(Dim - 1) * (grid_.axisymmetric ? 2 * std::numbers::pi * grid_.radius(i[0]) : 1);

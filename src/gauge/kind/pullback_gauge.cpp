@@ -5,6 +5,7 @@
 #include "gauge/due.hpp"
 #include "gauge/gauge_watch.hpp"
 #include "gauge/kind/pullback_signal.hpp"
+#include "gauge/periods.hpp"
 #include "gauge/probes.hpp"
 #include "parallel/archive.hpp"
 
@@ -16,7 +17,8 @@ template <int Dim>
 class PullbackWatch : public GaugeWatch<Dim> {
  public:
   PullbackWatch(const config::PullbackGauge& from, const WatchSetup<Dim>& setup)
-      : point_{body_number(setup.state, from.body), first_components<Dim>(from.at), {}},
+      : grid_(setup.state.grid()),
+        point_{body_number(setup.state, from.body), first_components<Dim>(from.at), {}},
         item_(setup.sums.item(surface_sums<Dim>)),
         scab_item_(setup.sums.item(0, 1)),
         due_(from.every) {
@@ -39,7 +41,7 @@ class PullbackWatch : public GaugeWatch<Dim> {
   }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
     const auto surface = read_surface<Dim>(reading.sums.total(item_));
-    follow_surface(point_, surface, reading.dt);
+    follow_surface(grid_, point_, surface, reading.dt);
     if (surface.found) signal_.add(reading.time, dot(surface.velocity, surface.normal));
     if (reading.sums.any(scab_item_)) scab_ = -reading.sums.total(scab_item_)[0];
     const double fall = signal_.fall();
@@ -60,11 +62,10 @@ class PullbackWatch : public GaugeWatch<Dim> {
   /// The smallest distance from the surface, against its normal, to the near side of a failed cell.
   void look_for_failed(const State<Dim>& state, ExactSums& sums) const {
     if (point_.normal == Vec<Dim>{}) return;
-    const Grid<Dim>& grid = state.grid();
     double length = 0;
-    for (int d = 0; d < Dim; ++d) length += grid.cells[d] * grid.dx;
-    for (int n = 0; n * grid.dx < length; ++n) {
-      const Vec<Dim> x = point_.at - (n + 0.5) * grid.dx * point_.normal;
+    for (int d = 0; d < Dim; ++d) length += grid_.cells[d] * grid_.dx;
+    for (int n = 0; n * grid_.dx < length; ++n) {
+      const Vec<Dim> x = into_domain(grid_, point_.at - (n + 0.5) * grid_.dx * point_.normal);
       const int slot = state.mesh.find(x);
       if (slot < 0 || slot >= state.mesh.local()) continue;
       const Grid<Dim>& own = state.grid(slot);
@@ -78,11 +79,13 @@ class PullbackWatch : public GaugeWatch<Dim> {
         failed = failed || (damage > 0 && damage >= failed_damage * b.contents[k]);
       });
       if (!failed) continue;
-      const double near = std::max(0.0, dot(point_.at - own.centre(i), point_.normal) - 0.5 * own.dx);
+      const double near =
+          std::max(0.0, dot(shortest_way(grid_, point_.at, own.centre(i)), point_.normal) - 0.5 * own.dx);
       sums.add(scab_item_).raise(0, -near);
     }
   }
 
+  Grid<Dim> grid_;  // of the finest level
   SurfacePoint<Dim> point_;
   int item_, scab_item_;
   Due due_;  // of the look along the normal

@@ -11,7 +11,8 @@ template <int Dim>
 class SurfaceWatch : public GaugeWatch<Dim> {
  public:
   SurfaceWatch(const config::SurfaceVelocityGauge& from, const WatchSetup<Dim>& setup)
-      : point_{body_number(setup.state, from.body), first_components<Dim>(from.at), {}},
+      : grid_(setup.state.grid()),
+        point_{body_number(setup.state, from.body), first_components<Dim>(from.at), {}},
         item_(setup.sums.item(surface_sums<Dim>)) {}
 
   bool reads_every_step() const override { return true; }
@@ -24,7 +25,7 @@ class SurfaceWatch : public GaugeWatch<Dim> {
   }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
     const auto surface = read_surface<Dim>(reading.sums.total(item_));
-    follow_surface(point_, surface, reading.dt);
+    follow_surface(grid_, point_, surface, reading.dt);
     row.push_back(surface.found ? dot(surface.velocity, surface.normal) : nothing);
     for (int d = 0; d < Dim; ++d) row.push_back(surface.found ? surface.velocity[d] : nothing);
     append(row, point_.at);
@@ -33,6 +34,7 @@ class SurfaceWatch : public GaugeWatch<Dim> {
   void unpack(parallel::Unpacker& bytes) override { point_ = bytes.read<SurfacePoint<Dim>>(); }
 
  private:
+  Grid<Dim> grid_;  // of the finest level
   SurfacePoint<Dim> point_;
   int item_;
 };

@@ -62,6 +62,8 @@ TEST(Units, RefusesWhatIsNoQuantityOfItsDimension) {
   expect_problem("5 Gpa", "Pa", "unknown unit 'Gpa'", "did you mean 'GPa'?");
   expect_problem("5 kmm/s", "m/s", "unknown unit", "km/s");
   expect_problem("5 J/kg K", "J/(kg K)", "has dimension", "J/(kg K)");
+  expect_problem("500 C", "K", "has dimension", "C is the coulomb; did you mean 'degC'?");
+  expect_problem("500 F", "K", "has dimension", "'degF'");
 }
 
 TEST(Units, AnglesAreNotPureNumbers) {

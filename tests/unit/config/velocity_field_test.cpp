@@ -34,6 +34,23 @@ TEST(Formulas, AreVelocitiesOnlyWithUnits) {
   EXPECT_FALSE(is_velocity("20*m/s + x"));
 }
 
+TEST(Formulas, CompareOnlyNumbersWithUnits) {
+  const std::vector<Vector> places{{-1.4e-3, 0.2e-3, 0}, {-0.3e-3, 0.7e-3, 0}};
+  const auto is_velocity = [&](const char* text) { return Formula(text, axes).is_velocity(places); };
+  EXPECT_TRUE(is_velocity("x > 20*mm ? 5*m/s : 0*m/s"));
+  EXPECT_TRUE(is_velocity("min(x/mm, 20)*m/s"));
+  EXPECT_TRUE(is_velocity("x < -0.5*mm && y > 0 ? x^8/(mm^8)*m/s : sqrt(y/us*m/s)"));
+  EXPECT_FALSE(is_velocity("x > 20 ? 5*m/s : 0*m/s"));
+  EXPECT_FALSE(is_velocity("x < 0.0005 ? 5*m/s : 0*m/s"));
+  EXPECT_FALSE(is_velocity("y/us > 1000 ? 5*m/s : 0*m/s"));
+  EXPECT_FALSE(is_velocity("min(x, 20)/us"));
+}
+
+TEST(Formulas, KnowPureNumbers) {
+  EXPECT_TRUE(Formula("x/mm + us/s", axes).has_dimension({{1e-3, 0, 0}}, 0, 0));
+  EXPECT_FALSE(Formula("x", axes).has_dimension({{1e-3, 0, 0}}, 0, 0));
+}
+
 TEST(Formulas, SayWhatIsWrong) {
   const auto fault = [](const char* text) -> std::string {
     try {
@@ -50,7 +67,10 @@ TEST(Formulas, SayWhatIsWrong) {
   EXPECT_EQ(fault("min()*m/s"), "gives a function a wrong number of values at character 6");
   EXPECT_EQ(fault("x = 3"), "assigns with '='");
   EXPECT_EQ(fault("x/s, y/s"), "holds a comma between two values");
-  EXPECT_EQ(fault("20 m/s"), "cannot be read at character 4");
+  EXPECT_EQ(fault("20 m/s"), "lacks a '*' before 'm'");
+  EXPECT_EQ(fault("5mm/us"), "lacks a '*' before 'mm'");
+  EXPECT_EQ(fault("20*m/s sin(x/m)"), "lacks a '*' before 'sin'");
+  EXPECT_EQ(fault("20*m/*s"), "cannot be read at character 6");
 }
 
 /// A case with this line in its body.
@@ -93,9 +113,21 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Mistake{"material = \"m\"\nvelocity-field = { x = \"20*m/s * sinus(y)\" }",
                             "knows no 'sinus'"},
                     Mistake{"material = \"m\"\nvelocity-field = { x = \"20\" }", "is no velocity"},
+                    Mistake{"material = \"m\"\nvelocity-field = { x = \"m/s * sin(cos(y/mm)*x)\" }",
+                            "sin needs a pure number"},
                     Mistake{"material = \"m\"\nvelocity-field = { z = \"m/s\" }", "'z'"},
                     Mistake{"material = \"m\"\nvelocity-field = { }", "has no formula"},
                     Mistake{"rigid = true\nvelocity-field = { x = \"m/s\" }", "cannot bend"}));
+
+TEST(VelocityFields, SayHowToWriteThem) {
+  const auto help = [](const std::string& formula) {
+    const Diagnostics out = said_of("material = \"m\"\nvelocity-field = { x = \"" + formula + "\" }");
+    return out.list().empty() ? "" : out.list().front().help;
+  };
+  EXPECT_NE(help("pow(x/mm, 2)*m/s").find("functions sin, cos"), std::string::npos) << help("pow(x)");
+  EXPECT_NE(help("x > 20 ? 5*m/s : 0*m/s").find("comparisons: x > 20*mm"), std::string::npos);
+  EXPECT_NE(help("m/s*exp(x)").find("exp(x/mm)"), std::string::npos);
+}
 
 TEST(VelocityFields, AreEvaluated) {
   const Diagnostics said = said_of("material = \"m\"\nvelocity-field = { y = \"x/s\" }");

@@ -74,6 +74,73 @@ TEST(Crater, OfAPitAndOfAHole) {
   EXPECT_NEAR(hole[3], 8e-3, 1e-9);
 }
 
+/// A block with a square pit of 4 mm by 4 mm and 2 mm depth, in the whole domain or a quarter of it.
+std::vector<double> square_pit(const std::string& sides) {
+  return first_row<3>(
+      R"(
+format = 1
+[domain]
+geometry = "3d"
+)" + sides +
+      R"(
+z = ["-6 mm", "2 mm"]
+[mesh]
+finest = "0.5 mm"
+[time]
+end = "1 us"
+[body.block]
+material = "none"
+shape = { kind = "difference", parts = [{ kind = "box", x = ["-5 mm", "5 mm"], y = ["-5 mm", "5 mm"], z = ["-4 mm", "0 mm"] }, )"
+      R"({ kind = "box", x = ["-2 mm", "2 mm"], y = ["-2 mm", "2 mm"], z = ["-2 mm", "1 mm"] }] }
+[gauge.pit]
+kind = "crater"
+body = "block"
+at = { z = "0 mm" }
+direction = { z = 1 }
+radius = "4 mm"
+)");
+}
+
+TEST(Crater, ImagesBeyondPlanesOfSymmetryCountInTheDiameter) {
+  const auto whole = square_pit("x = [\"-6 mm\", \"6 mm\"]\ny = [\"-6 mm\", \"6 mm\"]"),
+             quarter = square_pit(
+                 "x = [\"0 mm\", \"6 mm\"]\ny = [\"-6 mm\", \"0 mm\"]\nboundary = { x = "
+                 "[\"symmetry\", \"outflow\"], y = [\"outflow\", \"symmetry\"] }");
+  EXPECT_NEAR(whole[1], 2 * std::sqrt(16e-6 / std::numbers::pi), 1e-9);
+  EXPECT_NEAR(quarter[0], whole[0], 1e-12);
+  EXPECT_NEAR(quarter[1], whole[1], 1e-12);
+  EXPECT_NEAR(quarter[2], 0.25 * whole[2], 1e-18) << "of what the domain holds";
+  EXPECT_EQ(quarter[3], 0);
+}
+
+TEST(Crater, GoesOnAcrossTheEdgeOfAPeriod) {
+  const auto row = first_row<2>(R"(
+format = 1
+[domain]
+geometry = "planar"
+x = ["-2 mm", "6 mm"]
+y = ["0 mm", "16 mm"]
+boundary = { x = "outflow", y = "periodic" }
+[mesh]
+finest = "0.5 mm"
+[time]
+end = "1 us"
+[body.block]
+material = "none"
+shape = { kind = "union", parts = [{ kind = "box", x = ["0 mm", "4 mm"], y = ["3 mm", "14 mm"] }, )"
+                                R"({ kind = "box", x = ["1 mm", "4 mm"], y = ["0 mm", "16 mm"] }] }
+[gauge.pit]
+kind = "crater"
+body = "block"
+at = { x = "0 mm", y = "16 mm" }
+direction = { x = -1 }
+radius = "4 mm"
+)");
+  EXPECT_NEAR(row[0], 1e-3, 1e-9);
+  EXPECT_NEAR(row[1], 5e-3, 1e-9) << "2 mm before the edge and 3 mm behind it";
+  EXPECT_NEAR(row[2], 5e-6, 1e-12);
+}
+
 TEST(Residual, IsThePartBeyondThePlane) {
   const auto row = first_row<2>(R"(
 format = 1

@@ -10,6 +10,7 @@
 #include "../support/small_case.hpp"
 #include "format/csv.hpp"
 #include "gauge/contact_fields.hpp"
+#include "gauge/kind/contact_gauge.hpp"
 #include "record/field_dump.hpp"
 #include "record/recorder.hpp"
 #include "timestep/step.hpp"
@@ -108,6 +109,24 @@ TEST(ContactGauge, OfTheWholeAndOfAPart) {
   EXPECT_LT(share, 0.7);
   EXPECT_NEAR(middle.numbers("work").back(), 10 * -middle.numbers("normal-impulse").back(),
               0.05 * 10 * middle.numbers("normal-impulse").back());
+}
+
+TEST(ContactGauge, APartGoesOnAcrossTheEdgeOfAPeriod) {
+  std::string periodic = turned;
+  const std::string sides = "y = [\"-2 mm\", \"2 mm\"]";
+  periodic.replace(periodic.find(sides), sides.size(), sides + "\nboundary = { y = \"periodic\" }");
+  State<2> state = state_of<2>(case_from(periodic));
+  for (const double y : {-1.95e-3, 1.95e-3, 0.0}) {
+    Contact<2>& c = state.contacts[0].emplace_back();
+    c.first = 1, c.second = 2;
+    c.point = {{0, y}};
+    c.area = 1e-4;
+  }
+  ExactSums sums;
+  const int item = sums.item(ContactSums<2>::sums, 2);
+  probe_contact<2>(state, pair_number(1, 2, 3), {{0, 2e-3}}, 0.1e-3, item, sums);
+  sums.reduce(parallel::World{});
+  EXPECT_DOUBLE_EQ(sums.total(item)[ContactSums<2>::area], 2e-4) << "on both sides of the edge";
 }
 
 std::vector<double> column(const UnstructuredGrid& grid, const char* name) {

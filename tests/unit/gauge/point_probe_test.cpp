@@ -166,5 +166,35 @@ TEST(PointProbe, FollowsTheMatterToSecondOrder) {
   EXPECT_NEAR(coarse / fine, 4, 0.3);
 }
 
+/// Matter that flows through a period of 8 mm.
+const char* stream = R"(
+format = 1
+[domain]
+geometry = "planar"
+x = ["0 mm", "4 mm"]
+y = ["-4 mm", "4 mm"]
+boundary = { y = "periodic" }
+[mesh]
+finest = "0.25 mm"
+[time]
+end = "1 us"
+[body.slab]
+material = "none"
+shape = { kind = "box", x = ["1 mm", "3 mm"], y = ["-4 mm", "4 mm"] }
+)";
+
+TEST(PointProbe, ComesInAgainAcrossTheEdgeOfAPeriod) {
+  State<2> state = moving(stream, [](const Vec<2>&) { return Vec<2>{{0, 500}}; });
+  BodyPoint<2> point{.body = 0, .follows = true, .at = {{2e-3, 3.9e-3}}, .velocity = {}};
+  for (int n = 0; n <= 100; ++n) {
+    if (n > 0) state.time += 0.2e-6;
+    const Found f = find(state, point);
+    ASSERT_TRUE(f.there) << n;
+    follow_point(point, state.time, f.there, std::span<const double>(f.values));
+    EXPECT_NEAR(f.velocity()[1], 500, 1e-9);
+  }
+  EXPECT_NEAR(point.at[1], 3.9e-3 + 10e-3 - 16e-3, 1e-9);
+}
+
 }  // namespace
 }  // namespace recoil::point_probe_test

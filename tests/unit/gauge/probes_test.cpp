@@ -81,7 +81,7 @@ TEST(Probes, TheFarSideOfAThinBodyDoesNotCount) {
   ASSERT_TRUE(r.found);
   EXPECT_DOUBLE_EQ(r.velocity[1], 10);
   EXPECT_DOUBLE_EQ(r.velocity[0], 1);
-  follow_surface(point, r, 1e-6);
+  follow_surface(state.grid(), point, r, 1e-6);
   EXPECT_NEAR(point.at[1], 0.11e-3, 1e-12);
   EXPECT_EQ(point.at[0], 0) << "along the normal only";
 
@@ -124,7 +124,7 @@ TEST(Probes, APointOnAPlaneOfSymmetryStaysThere) {
     EXPECT_EQ(r.velocity[0], 0);
     EXPECT_NEAR(r.velocity[1], 12, 1e-12);
     EXPECT_EQ(r.normal, (Vec<2>{{0, 1}}));
-    follow_surface(point, r, 1e-6);
+    follow_surface(state.grid(), point, r, 1e-6);
   }
   EXPECT_EQ(point.at[0], 0);
   const auto at_rest = reading([&](int item, ExactSums& sums) {
@@ -132,6 +132,39 @@ TEST(Probes, APointOnAPlaneOfSymmetryStaysThere) {
   });
   EXPECT_EQ(at_rest.velocity[0], 0) << "of the sliding slab the image slides the other way";
   EXPECT_NEAR(at_rest.velocity[1], 30, 1e-9);
+}
+
+/// Two walls at equal distances from the edge of a period, one on each side: a point on the edge sees both.
+TEST(Probes, APointAtTheEdgeOfAPeriodSeesBothSides) {
+  std::string periodic = slab;
+  const std::string whole = "x = [\"-4 mm\", \"4 mm\"]";
+  periodic.replace(periodic.find(whole), whole.size(),
+                   "x = [\"-4 mm\", \"4 mm\"]\nboundary = { x = \"periodic\" }");
+  State<2> state = state_of<2>(case_from(periodic));
+  for (const double side : {-1.0, 1.0}) {
+    const Vec<2> at{{side * -3.9e-3, 0.05e-3}};
+    const int slot = state.mesh.find(at);
+    CutCell<2> cut;
+    cut.surface = {{0.15e-3 * side, 0.2e-3}};
+    cut.point = at;
+    Wall<2> wall;
+    wall.normal = {{0.6 * side, 0.8}};
+    wall.mean_velocity = {{9 * side, 12}};
+    Body<2>& body = state.bodies[0];
+    enter_block(body, slot, state.grid());
+    body.at(slot).geometry.cuts.push_back(cut);
+    body.at(slot).walls.push_back(wall);
+  }
+  for (const double x : {-4e-3, 4e-3}) {
+    const SurfacePoint<2> point{0, {{x, 0.1e-3}}, {}};
+    const auto r = reading([&](int item, ExactSums& sums) { probe_surface(state, point, item, sums); });
+    ASSERT_TRUE(r.found);
+    EXPECT_NEAR(r.velocity[0], 0, 1e-12);
+    EXPECT_NEAR(r.velocity[1], 12, 1e-12);
+  }
+  SurfacePoint<2> leaves{0, {{3.95e-3, 0}}, {}};
+  follow_surface(state.grid(), leaves, {true, {{100, 0}}, {{1, 0}}}, 1e-6);
+  EXPECT_NEAR(leaves.at[0], -3.95e-3, 1e-12);
 }
 
 }  // namespace

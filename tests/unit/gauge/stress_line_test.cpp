@@ -66,5 +66,35 @@ TEST(StressLine, RidesAndKeepsThePeak) {
   EXPECT_EQ(line.stations[1].time, 1e-6);
 }
 
+TEST(StressLine, GoesOnAcrossTheEdgeOfAPeriod) {
+  const State<2> state = state_of<2>(case_from(R"(
+format = 1
+[domain]
+geometry = "planar"
+x = ["0 mm", "4 mm"]
+y = ["-4 mm", "4 mm"]
+boundary = { y = "periodic" }
+[mesh]
+finest = "0.25 mm"
+[time]
+end = "1 us"
+[body.slab]
+material = "none"
+shape = { kind = "box", x = ["1 mm", "3 mm"], y = ["-4 mm", "4 mm"] }
+velocity = { y = "500 m/s" }
+)"));
+  StressLine<2> line = stress_line<2>(0, {{2e-3, 0}}, {{2e-3, 3.9e-3}}, 1);
+  ExactSums sums;
+  const int first = line_items(line, sums);
+  for (int n = 1; n <= 50; ++n) {
+    sums.clear();
+    collect_line(state, line, first, sums);
+    sums.reduce(parallel::World{});
+    EXPECT_TRUE(sums.any(first)) << n;
+    follow_line(line, n * 0.4e-6, 0.4e-6, first, sums);
+  }
+  EXPECT_NEAR(line.stations[0].at[1], 3.9e-3 + 10e-3, 1e-9);
+}
+
 }  // namespace
 }  // namespace recoil::stress_line_test

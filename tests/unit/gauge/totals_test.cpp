@@ -149,6 +149,66 @@ velocity = { y = "-100 m/s" }
   EXPECT_TRUE(std::isfinite(b.momentum[1]));
 }
 
+/// Volumes may be below zero by a tenth of a cell, and the masses of such slivers are then as well.
+TEST(Totals, TheKineticEnergyOfSliversGoesWithTheSurface) {
+  State<2> state = state_of<2>(case_from(ring));
+  using C = Components<2>;
+  const auto before = find_totals(state, parallel::World{}).bodies[0];
+  const Vec<2> rim{{4.9e-3, 5e-3}};
+  const int slot = state.mesh.find(rim);
+  auto& b = state.bodies[0].at(slot);
+  const Grid<2>& grid = state.grid();
+  const auto k =
+      static_cast<std::size_t>(grid.layout().at(grid.cell_of(rim) - state.mesh.block(slot).cells.lo));
+  const std::size_t n = b.volume.size();
+  const double taken = -1.05, held = b.contents[k];  // of what the cell holds, and it lacks some momentum
+  const double less = 1e-3 * held * 100;
+  b.volume[k] *= 1 + taken;
+  for (std::size_t c = 0; c < C::contents; ++c) b.contents[c * n + k] *= 1 + taken;
+  b.contents[(C::u + 1) * n + k] += less;
+  b.contents[C::energy * n + k] -= 100 * less;
+  b.near_surface = true;
+  b.extension_velocity[n + k] = -100;
+  const auto after = find_totals(state, parallel::World{}).bodies[0];
+  EXPECT_NEAR(after.mass, before.mass + taken * held, 1e-12 * before.mass);
+  EXPECT_NEAR(after.internal(), before.internal(), 1e-9 * before.kinetic);
+  b.extension_velocity[n + k] = 0;
+  const auto unknown = find_totals(state, parallel::World{}).bodies[0];
+  EXPECT_EQ(unknown.energy, after.energy);
+  EXPECT_NEAR(unknown.kinetic - after.kinetic, 0.5e4 * 0.05 * held + 100 * less, 1e-9 * before.kinetic)
+      << "no velocity, no kinetic energy";
+}
+
+/// Its surface may lie in coarse cells, of which few centres are near it.
+TEST(Totals, ARigidBodyReachesAsFarAsItsShape) {
+  State<1> state = state_of<1>(case_from(R"(
+format = 1
+[domain]
+geometry = "1d"
+x = ["-30 mm", "40 mm"]
+[mesh]
+finest = "0.05 mm"
+levels = 3
+[time]
+end = "1 us"
+[body.flyer]
+rigid = true
+mass = "60 kg/m2"
+shape = { kind = "box", x = ["-8 mm", "-0.03 mm"] }
+[body.target]
+material = "none"
+shape = { kind = "box", x = ["0 mm", "20 mm"] }
+)"));
+  for (const double moved : {0.0, -3e-3, -15e-3}) {
+    state.bodies[0].rigid->centre[0] = state.bodies[0].rigid->start_centre[0] + moved;
+    const auto b = find_totals(state, parallel::World{}).bodies[0];
+    EXPECT_NEAR(b.lowest[0], -8e-3 + moved, 1e-12);
+    EXPECT_NEAR(b.highest[0], -0.03e-3 + moved, 1e-12);
+  }
+  state.bodies[0].rigid->centre[0] -= 60e-3;
+  EXPECT_TRUE(std::isnan(find_totals(state, parallel::World{}).bodies[0].lowest[0])) << "it has left";
+}
+
 TEST(Totals, DoNotDependOnThreads) {
   State<2> state = state_of<2>(case_from(ring));
   for (auto& block : state.bodies[0].blocks)

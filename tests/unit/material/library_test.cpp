@@ -230,6 +230,8 @@ TEST(Library, MistakesNameTheirCure) {
   EXPECT_TRUE(says(find("steel/stainless"), "steel/304"));
   EXPECT_TRUE(says(find("kryptonite/pure"), "material list"));
   EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"steel/4341\"\n"), "steel/4340"));
+  EXPECT_TRUE(
+      says(find("kryptonite", "[material.goo]\nbase = \"copper/seed\"\n"), "the case itself has 'goo'"));
   EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"x\"\n"), "its own base"));
   EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"y\"\n[material.y]\nbase = \"x\"\n"), "its own base"));
   EXPECT_TRUE(says(find("x", "[material.x]\nbase = \"copper/seed\"\nstrength.kind = \"jonson-cook\"\n"),

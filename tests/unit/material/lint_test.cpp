@@ -64,6 +64,27 @@ TEST(Lint, FindsContradictingModuli) {
   EXPECT_TRUE(finds(m, "Poisson's ratio"));
 }
 
+/// The Hugoniot of iron above 13 GPa beside the shear modulus of steel.
+TEST(Lint, FindsHugoniotsTooSoftForAMetal) {
+  Material m = samples::copper();
+  m.eos = MieGruneisen{7830, 3574, 1.92, 1.69};
+  m.strength = PerfectlyPlastic{81.8e9, 1e9};
+  EXPECT_TRUE(finds(m, "Poisson's ratio 0.17"));
+  m.doubt = "Poisson's ratio is 0.18";
+  EXPECT_FALSE(finds(m, "Poisson's ratio"));
+  m.doubt.clear();
+  m.strength = DruckerPrager{.shear_modulus = 81.8e9};
+  EXPECT_FALSE(finds(m, "Poisson's ratio"));
+}
+
+TEST(Lint, FindsDuctilityThatGrowsWithTension) {
+  Material m = samples::copper();
+  m.damage = JohnsonCookDamage{.d1 = 0.05, .d2 = 3.44, .d3 = -2.12};
+  EXPECT_FALSE(finds(m, "d3"));
+  m.damage = JohnsonCookDamage{.d1 = 0.05, .d2 = 3.44, .d3 = 2.12};
+  EXPECT_TRUE(finds(m, "d3 2.12 lets matter bear more strain"));
+}
+
 TEST(Lint, FindsYieldOfTheWrongOrder) {
   Material m = samples::copper();
   m.strength = PerfectlyPlastic{43.33e9, 40e9};  // 0.4 Mbar for 0.4 GPa

@@ -86,6 +86,31 @@ TEST(FieldPicture, LevelSetGivesTheAreaBetterThanCells) {
   EXPECT_NEAR(inside / (radius * radius), 3.1416, 0.05);
 }
 
+/// Pixels that are neither of the page nor empty matter, in the rows of the heading.
+int heading_pixels(const Image& image, int x0, int x1) {
+  int n = 0;
+  for (int j = 0; j < 60; ++j)
+    for (int i = std::max(0, x0); i < std::min(image.width, x1); ++i) n += image.at(i, j).r < 140;
+  return n;
+}
+
+/// A rod of 2 x 100 mm: the title has the width of the picture, and the time a line of its own.
+TEST(FieldPicture, NarrowFieldHasAHeading) {
+  FieldPicture p;
+  p.nx = 20, p.ny = 1000, p.dx = p.dy = 1e-4;
+  p.values.assign(20000, 1.0);
+  p.label = "pressure [GPa]";
+  const Image bare = rendered(field_picture(p));
+  EXPECT_GE(bare.width, 480);
+  p.title = "A rod of copper on a wall that moves";
+  p.note = "at 12.5 us";
+  const Image image = rendered(field_picture(p));
+  EXPECT_EQ(image.width, bare.width);
+  EXPECT_GT(heading_pixels(image, image.width / 2, image.width - 14), 100) << "the end of the title";
+  EXPECT_EQ(heading_pixels(image, image.width - 14, image.width), 0);
+  EXPECT_EQ(heading_pixels(image, 0, 12), 0);
+}
+
 TEST(FieldPicture, MirrorShowsBothHalves) {
   FieldPicture p = disc(80, 80, 0, 4);
   p.mirror = true;

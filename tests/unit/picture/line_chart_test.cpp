@@ -113,6 +113,23 @@ TEST(LineChart, RangeAndGuidesAreObeyed) {
   EXPECT_GT(dark(rendered(line_chart(chart))), one + 250);
 }
 
+/// A label in the corner that the legend would take first, as a curve takes the other end of the guide.
+TEST(LineChart, LegendHidesNoLabelOfAGuide) {
+  LineChart chart = rising();
+  chart.series = {{"", {0, 0.1, 0.2, 0.3, 0.4, 1}, {0.85, 1, 0.85, 1, 0, 0}, {.colour = kMagenta}}};
+  chart.y_range = {0.0, 1.0};
+  chart.guides = {{0.93, "a guide with a label that is long", false}};
+  const Rgb soft{96, 100, 108};
+  const auto label_pixels = [&] {
+    const Image image = rendered(line_chart(chart));
+    return count(image, soft, 850, 0, image.width, 160);
+  };
+  const int bare = label_pixels();
+  ASSERT_GT(bare, 50);
+  for (const char* name : {"on the right", "on the left"}) chart.series.push_back({name, {}, {}, {}});
+  EXPECT_EQ(label_pixels(), bare);
+}
+
 TEST(LineChart, OddDataStillMakeAPicture) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   LineChart chart;

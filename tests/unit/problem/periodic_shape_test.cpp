@@ -53,6 +53,26 @@ TEST(PeriodicShapes, PartsHaveImagesOfTheirOwn) {
   EXPECT_NEAR(at<2>(drilled, periodic(plane), {{8.75, 0}}), 0.25, 1e-12);
 }
 
+TEST(PeriodicShapes, MayBeGivenSeveralPeriodsAway) {
+  EXPECT_NEAR(at<2>(ball_shape(vector_of(-36, 0), 2), periodic(plane), {{0.5, 0}}), -1.5, 1e-12);
+  EXPECT_NEAR(at<2>(ball_shape(vector_of(45, 0), 2), periodic(plane), {{8.5, 0}}), -1.5, 1e-12);
+}
+
+TEST(PeriodicShapes, CopiesOfALatticeHaveImagesOfTheirOwn) {
+  config::Lattice lattice;
+  lattice.shape = {ball_shape(vector_of(-9, 0), 1)};
+  lattice.count = {3, 1, 1};
+  lattice.pitch = {6, 6, 6};  // at -9, -3, 3
+  lattice.make_copies();
+  EXPECT_NEAR(at<2>(config::Shape{lattice}, periodic(plane), {{8.5, 0}}), -0.5, 1e-12);
+  EXPECT_NEAR(at<2>(config::Shape{lattice}, periodic(plane), {{0, 0}}), 2, 1e-12);
+}
+
+/// That of a body that takes up fragments.
+TEST(PeriodicShapes, AnEmptyUnionIsFarAway) {
+  EXPECT_GT(at<2>(config::Shape{config::Union{}}, periodic(plane), {{0, 0}}), 1e6);
+}
+
 TEST(PeriodicShapes, TurnedOnesAndPolygonsToo) {
   auto turned = box_shape(vector_of(-9, -1), vector_of(-5, 1));  // turned by a quarter: x from -8 to -6
   std::get<config::Box>(turned.form).rotation = std::numbers::pi / 2;

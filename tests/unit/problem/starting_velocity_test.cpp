@@ -47,6 +47,15 @@ TEST(StartingVelocity, NoFiniteValueIsAnError) {
   }
 }
 
+/// A formula that ends at the surface of the body is not asked outside of it.
+TEST(StartingVelocity, FormulasAreAskedInsideOfTheBody) {
+  const auto left = starting_velocity<2>(with_field("m/s * sqrt((x+1*m)/m)", ""), plane, 0.2);
+  EXPECT_NEAR(left({{-1.08, 0}})[0], 100, 0.05);
+  EXPECT_NEAR(left({{-1.1, -1.1}})[0], 100, 0.05);  // beside a corner
+  const auto right = starting_velocity<2>(with_field("m/s * sqrt((1*m-x)/m)", ""), plane, 0.2);
+  EXPECT_NEAR(right({{1.3, 0.5}})[0], 100, 0.05);
+}
+
 /// A disc across the periodic edge turns as one.
 TEST(StartingVelocity, ImagesMoveAsTheBody) {
   config::Domain domain = plane;

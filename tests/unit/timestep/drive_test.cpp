@@ -28,13 +28,27 @@ Material explosive() {
 }
 
 TEST(DetonationFront, ArrivesFirstFromTheNearestPoint) {
-  const DetonationFront<2> front{{{{0, 0}}, {{10 * mm, 0}}}, {}, 1 * us, 5000, 1};
+  const DetonationFront<2> front{{{{0, 0}}, {{10 * mm, 0}}}, {}, 1 * us, 5000, 1, {}, {}, {}};
   EXPECT_DOUBLE_EQ(front.arrival({{3 * mm, 4 * mm}}), 1 * us + 5 * mm / 5000);
   EXPECT_DOUBLE_EQ(front.arrival({{9 * mm, 0}}), 1 * us + 1 * mm / 5000);
 }
 
+/// Periods of 24 mm. The explosive reaches from -16 to 4 mm, so that its lower part has come in at the high
+/// end.
+TEST(DetonationFront, FollowsTheExplosiveAcrossThePeriod) {
+  DetonationFront<2> front{{{{-10 * mm, 0}}}, {}, 0, 5000, 1, {}, {}, {}};
+  front.period = {{24 * mm, 0}};
+  front.middle = {{-6 * mm, 0}};
+  EXPECT_NEAR(front.arrival({{-1 * mm, 0}}), 9 * mm / 5000, 1e-15);
+  EXPECT_NEAR(front.arrival({{10 * mm, 0}}), 4 * mm / 5000, 1e-15) << "at -14 mm";
+  EXPECT_NEAR(front.arrival({{3 * mm, 0}}), 13 * mm / 5000, 1e-15) << "not through the void";
+  front.across = {{1, 0}};
+  EXPECT_NEAR(front.arrival({{3 * mm, 0}}), 11 * mm / 5000, 1e-15)
+      << "it fills the period: the other way around";
+}
+
 TEST(DetonationFront, APlaneRunsBothWays) {
-  const DetonationFront<2> front{{{{2 * mm, 0}}}, {{1, 0}}, 0, 5000, 1};
+  const DetonationFront<2> front{{{{2 * mm, 0}}}, {{1, 0}}, 0, 5000, 1, {}, {}, {}};
   EXPECT_DOUBLE_EQ(front.arrival({{7 * mm, 90 * mm}}), 5 * mm / 5000);
   EXPECT_DOUBLE_EQ(front.arrival({{1 * mm, -5 * mm}}), 1 * mm / 5000);
 }

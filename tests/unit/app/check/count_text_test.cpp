@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
 namespace recoil::app::count_text_test {
 namespace {
 
@@ -18,6 +20,12 @@ TEST(CountText, ACureIsEnough) {
   EXPECT_DOUBLE_EQ(rounded_down(0.1306e-3, 3), 0.130e-3);
   EXPECT_DOUBLE_EQ(rounded_down(1e-4, 3), 1e-4);
   EXPECT_DOUBLE_EQ(rounded_down(2e-3 / 20, 3), 1e-4);
+}
+
+TEST(CountText, OneIsNotSeveral) {
+  EXPECT_EQ(counted(1, "case", "cases"), "1 case");
+  EXPECT_EQ(counted(2L, "case", "cases"), "2 cases");
+  EXPECT_EQ(counted(std::size_t{0}, "quantity", "quantities"), "0 quantities");
 }
 
 }  // namespace

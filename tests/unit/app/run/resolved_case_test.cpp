@@ -6,6 +6,7 @@
 #include <fstream>
 #include <regex>
 #include <string>
+#include <vector>
 
 #include "../../support/scratch_folder.hpp"
 
@@ -129,6 +130,23 @@ TEST(ResolvedCase, SaysWhereValuesComeFrom) {
   EXPECT_NE(text.find("finest = \"0.0001 m\"  # --set"), std::string::npos);
   EXPECT_NE(text.find("cfl = 0.9  # default"), std::string::npos);
   EXPECT_NE(text.find("end = \"6e-06 s\"  # line "), std::string::npos);
+}
+
+TEST(ResolvedCase, SaysWhereATableHasBeenChangedInPart) {
+  const LoadedCase loaded = load_case(std::string(RECOIL_SOURCE_DIR) + "/cases/flyer_al_cu",
+                                      {"body.flyer.velocity.x=460m/s", "body.target.velocity.x=1m/s"});
+  const std::string text = resolved_text(loaded);
+  EXPECT_TRUE(std::regex_search(text, std::regex(R"(velocity = \{ x = "460 m/s" \}  # line \d+, --set)")))
+      << text;
+  EXPECT_NE(text.find("velocity = { x = \"1 m/s\" }  # --set\n"), std::string::npos) << text;
+}
+
+TEST(ResolvedCase, NamesTheChangesOfTheCommandLine) {
+  const std::string file = std::string(RECOIL_SOURCE_DIR) + "/cases/flyer_al_cu";
+  EXPECT_TRUE(changes_of(resolved_text(load_case(file, {}))).empty());
+  const LoadedCase changed = load_case(file, {"time.end=1us", "mesh.finest = 0.1 mm", "time.end=2us"});
+  const std::vector<std::string> last_of_each{"mesh.finest = 0.1 mm", "time.end=2us"};
+  EXPECT_EQ(changes_of(resolved_text(changed)), last_of_each);
 }
 
 }  // namespace

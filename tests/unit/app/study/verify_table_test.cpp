@@ -72,7 +72,7 @@ TEST(VerifyTable, SaysTheSameInAllForms) {
   const std::string text = verify_markdown(cases, {"mesh.finest=0.2mm"});
   EXPECT_NE(text.find("In every case: `--set mesh.finest=0.2mm`"), std::string::npos) << text;
   EXPECT_NE(text.find("| plates | 3 | **1 failed** | 3.5 s |"), std::string::npos) << text;
-  EXPECT_NE(text.find("1 cases, 3 checks, 1 of them"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 case, 3 checks, 1 of them"), std::string::npos) << text;
   EXPECT_NE(text.find("| budget.total.mass | ≤ 1e-11 | round-off | 0.001 | - | - | **FAIL** |"),
             std::string::npos)
       << text;

@@ -8,4 +8,8 @@ namespace recoil::config {
 /// milli-pico-seconds, "kph" as kilo-phot. Empty: it is none.
 std::string_view meant_by(std::string_view unit);
 
+/// What to write in place of "C" or "F", the units of charge and capacitance, where a temperature is meant.
+/// Empty: it is neither.
+std::string_view degrees_of(std::string_view unit);
+
 }  // namespace recoil::config

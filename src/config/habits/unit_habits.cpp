@@ -1,4 +1,4 @@
-#include "config/unit_habits.hpp"
+#include "config/habits/unit_habits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,6 +29,12 @@ bool same_word(std::string_view a, std::string_view b) {
 std::string_view meant_by(std::string_view unit) {
   for (const Habit& h : habits)
     if (same_word(h.written, unit)) return h.meant;
+  return {};
+}
+
+std::string_view degrees_of(std::string_view unit) {
+  if (unit == "C") return "C is the coulomb; did you mean 'degC'?";
+  if (unit == "F") return "F is the farad; did you mean 'degF'?";
   return {};
 }
 
