@@ -24,7 +24,7 @@ if(NOT Python_FOUND OR NOT pybind11_FOUND)
 endif()
 
 set(recoil_point_sources ${recoil_sources})
-list(FILTER recoil_point_sources INCLUDE REGEX "/src/(app/point|material|material/eos|config)/[^/]*$")
+list(FILTER recoil_point_sources INCLUDE REGEX "/src/(app/point|material|material/eos|config|config/habits)/[^/]*$")
 list(FILTER recoil_point_sources EXCLUDE REGEX "/src/config/(case|read_case|explain|expected_columns|schema|kept_files|overrides)")
 list(FILTER recoil_point_sources EXCLUDE REGEX "/src/material/(lint|ls_dyna|tabulate)")
 foreach(file config/declare/write kernels/row_kernels dynamics/plastic_return dynamics/failed_matter gauge/point_state)
