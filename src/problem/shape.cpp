@@ -73,14 +73,12 @@ std::vector<Distance<Dim>> distances_of(const std::vector<config::Shape>& parts,
   return all;
 }
 
-/// The union of bodies, each with images of its own. None: everything is far away.
+/// The distance to a union of parts. None: everything is far away.
 template <int Dim>
-Distance<Dim> least_distance(const std::vector<config::Shape>& parts, const config::Domain& domain) {
-  return [all = distances_of<Dim>(parts, domain)](const Vec<Dim>& x) {
-    double least = 1e300;
-    for (const auto& part : all) least = std::min(least, part(x));
-    return least;
-  };
+double least_of(const std::vector<Distance<Dim>>& parts, const Vec<Dim>& x) {
+  double least = 1e300;
+  for (const auto& part : parts) least = std::min(least, part(x));
+  return least;
 }
 
 /// Parts that are put together or cut out have images of their own: one may reach across the period, another
@@ -88,9 +86,9 @@ Distance<Dim> least_distance(const std::vector<config::Shape>& parts, const conf
 template <int Dim>
 Distance<Dim> distance_with_images(const config::Shape& shape, const config::Domain& domain) {
   if (const auto* all = std::get_if<config::Union>(&shape.form))
-    return least_distance<Dim>(all->parts, domain);
+    return [parts = distances_of<Dim>(all->parts, domain)](const Vec<Dim>& x) { return least_of(parts, x); };
   if (const auto* all = std::get_if<config::Lattice>(&shape.form))
-    return least_distance<Dim>(all->copies, domain);
+    return [parts = distances_of<Dim>(all->copies, domain)](const Vec<Dim>& x) { return least_of(parts, x); };
   if (const auto* rest = std::get_if<config::Difference>(&shape.form))
     return [parts = distances_of<Dim>(rest->parts, domain)](const Vec<Dim>& x) {
       double most = parts.front()(x);
