@@ -23,9 +23,8 @@ namespace {
 constexpr const char* example = "\"20*m/s * sin(pi*x/(60*mm))\"";
 
 constexpr const char* functions =
-    "sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, asinh, acosh, atanh, exp, ln, log (of base "
-    "e), "
-    "log2, log10, sqrt, abs, sign, rint, min, max, sum, avg";
+    "sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, asinh, acosh, atanh, exp, ln, "
+    "log (of base e), log2, log10, sqrt, abs, sign, rint, min, max, sum, avg";
 
 /// Places within the domain that lie on no plane of symmetry of it.
 std::vector<Vector> places_in(const Vector& lo, const Vector& hi) {
