@@ -20,23 +20,17 @@ Part<Case> part_of_domain() {
   return part;
 }
 
-Part<Case> part_of_bodies() {
+/// Tables with names of their own, one for each element of a member of the case. @tparam read reads all of
+/// them, where what they speak of is `known`.
+template <auto member, auto read, bool CaseReading::*known>
+Part<Case> part_of_named() {
+  using One = typename MemberOf<decltype(member)>::Value::value_type;
   return {[](Case& c, const Node& node, CaseReading& in) {
-            if (in.knows_domain) read_bodies(node, c.bodies, in);
+            if (in.*known) read(node, c.*member, in);
           },
-          [](const std::string& path, std::vector<Section>& all) { add_sections<Body>(path + ".*", all); },
+          [](const std::string& path, std::vector<Section>& all) { add_sections<One>(path + ".*", all); },
           [](const Case& c, const std::string& path, const Writing& how, std::vector<WrittenTable>& all) {
-            for (const Body& body : c.bodies) write_tables(body, path + '.' + body.name, how, all);
-          }};
-}
-
-Part<Case> part_of_regions() {
-  return {[](Case& c, const Node& node, CaseReading& in) {
-            if (in.knows_domain) read_regions(node, c.regions, in);
-          },
-          [](const std::string& path, std::vector<Section>& all) { add_sections<Region>(path + ".*", all); },
-          [](const Case& c, const std::string& path, const Writing& how, std::vector<WrittenTable>& all) {
-            for (const Region& region : c.regions) write_tables(region, path + '.' + region.name, how, all);
+            for (const One& one : c.*member) write_tables(one, path + '.' + one.name, how, all);
           }};
 }
 
@@ -95,16 +89,19 @@ Entries<Case> Case::keys() {
       {.name = "domain", .member = part_of_domain(), .required = true, .doc = "the space that is computed"},
       {.name = "mesh", .member = part_of<&Case::mesh>(), .required = true, .doc = "the cells"},
       {.name = "refine",
-       .member = part_of_regions(),
+       .member = part_of_named<&Case::regions, read_regions, &CaseReading::knows_domain>(),
        .doc = "parts of the domain with the finest cells, one [refine.NAME] each"},
       {.name = "time",
        .member = part_of<&Case::time>(),
        .required = true,
        .doc = "how long, and in which steps"},
       {.name = "body",
-       .member = part_of_bodies(),
+       .member = part_of_named<&Case::bodies, read_bodies, &CaseReading::knows_domain>(),
        .required = true,
        .doc = "the bodies, one [body.NAME] each"},
+      {.name = "load",
+       .member = part_of_named<&Case::loads, read_loads, &CaseReading::knows_bodies>(),
+       .doc = "pressures from outside on surfaces, one [load.NAME] each"},
       {.name = "material",
        .member = part_of_materials(),
        .doc = "materials of this case alone, one [material.NAME] each"},

@@ -10,6 +10,7 @@
 #include "config/section/domain.hpp"
 #include "config/section/expect.hpp"
 #include "config/section/limits.hpp"
+#include "config/section/load.hpp"
 #include "config/section/mesh.hpp"
 #include "config/section/method.hpp"
 #include "config/section/output.hpp"
@@ -30,6 +31,7 @@ struct Case {
   std::vector<Region> regions;  // of finest cells
   TimeChoice time;
   std::vector<Body> bodies;
+  std::vector<Load> loads;
   std::vector<Gauge> gauges;
   Contact contact;
   Method method;

@@ -64,16 +64,17 @@ Account<Dim> take_account(std::span<const double> row) {
   return account;
 }
 
-/// Places of the sums of what has left a body through the edges, behind its account there.
+/// Places of the sums of what a body has exchanged with the outside: behind its account at the edges.
 template <int Dim>
-struct LeftSums {
-  static constexpr std::size_t released = 2 + Dim, place = released + 1, sums = place + Dim;
+struct OutsideSums {
+  static constexpr std::size_t released = 2 + Dim, place = released + 1, load = place + Dim,
+                               load_moment = load + 2 + Dim, sums = load_moment + 3;
 };
 
 template <int Dim>
 EdgeAccount<Dim> take_edges(std::span<const double> row) {
   EdgeAccount<Dim> account{take_account<Dim>(row), {}};
-  for (std::size_t d = 0; d < Dim; ++d) account.place[static_cast<int>(d)] = row[LeftSums<Dim>::place + d];
+  for (std::size_t d = 0; d < Dim; ++d) account.place[static_cast<int>(d)] = row[OutsideSums<Dim>::place + d];
   return account;
 }
 
@@ -179,9 +180,10 @@ void add_bodies(const State<Dim>& state, parallel::Team* team, ExactSums& sums) 
   }
 }
 
-/// What has left through the edges and been released, and what pairs of bodies have exchanged.
+/// What bodies have exchanged with the outside and with each other.
 template <int Dim>
 void add_ledgers(const State<Dim>& state, ExactSums& sums) {
+  using Outside = OutsideSums<Dim>;
   const int bodies = state.count();
   for (const BlockLedger<Dim>& ledger : state.ledger) {
     for (int m = 0; m < bodies; ++m) {
@@ -189,9 +191,13 @@ void add_ledgers(const State<Dim>& state, ExactSums& sums) {
       const SumRow row = sums.add(bodies + m);
       if (e < ledger.edges.size()) {
         add(ledger.edges[e], row.sums);
-        for (std::size_t d = 0; d < Dim; ++d) row[LeftSums<Dim>::place + d] += ledger.edges[e].place.c[d];
+        for (std::size_t d = 0; d < Dim; ++d) row[Outside::place + d] += ledger.edges[e].place.c[d];
       }
-      if (e < ledger.released.size()) row[LeftSums<Dim>::released] += ledger.released[e];
+      if (e < ledger.released.size()) row[Outside::released] += ledger.released[e];
+      if (e < ledger.loads.size()) {
+        add(ledger.loads[e].received, row.sums.subspan(Outside::load));
+        for (std::size_t d = 0; d < 3; ++d) row[Outside::load_moment + d] += ledger.loads[e].moment.c[d];
+      }
     }
     for (std::size_t p = 0; p < ledger.pairs.size(); ++p) {
       const SumRow row = sums.add(2 * bodies + static_cast<int>(p));
@@ -219,10 +225,11 @@ BodyTotals<Dim>& BodyTotals<Dim>::operator+=(const BodyTotals& b) {
 template <int Dim>
 Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, parallel::Team* team) {
   using A = BodySums<Dim>;
+  using Outside = OutsideSums<Dim>;
   const int bodies = state.count(), pairs = bodies * (bodies - 1) / 2;
   ExactSums sums;  // items: all bodies, their edges, all pairs
   for (int m = 0; m < bodies; ++m) sums.item(A::sums, A::all - A::sums);
-  for (int m = 0; m < bodies; ++m) sums.item(LeftSums<Dim>::sums);
+  for (int m = 0; m < bodies; ++m) sums.item(Outside::sums);
   for (int p = 0; p < pairs; ++p) sums.item(2 + Dim + 3);
   add_bodies(state, team, sums);
   add_ledgers(state, sums);
@@ -235,8 +242,12 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
     if (state.bodies[m].rigid) take_rigid(*state.bodies[m].rigid, body);
     end_at_edges(state.grid(), body);
     forget_periodic_places(state.grid(), body);
-    t.edges.push_back(take_edges<Dim>(sums.total(bodies + m)));
-    t.released.push_back(sums.total(bodies + m)[LeftSums<Dim>::released]);
+    const std::span<const double> outside = sums.total(bodies + m);
+    t.edges.push_back(take_edges<Dim>(outside));
+    t.released.push_back(outside[Outside::released]);
+    t.loads.push_back(take_account<Dim>(outside.subspan(Outside::load)));
+    const auto moment = outside.subspan(Outside::load_moment);
+    t.load_moments.push_back({{moment[0], moment[1], moment[2]}});
   }
   for (int p = 0; p < pairs; ++p) {
     const std::span<const double> row = sums.total(2 * bodies + p);
@@ -248,6 +259,7 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
       t.bodies[m].angular_momentum += received_moment(t, m);
   for (BodyTotals<Dim>& body : t.bodies) forget_periodic_moments(state.grid(), body.angular_momentum);
   for (Vec<3>& moment : t.moments) forget_periodic_moments(state.grid(), moment);
+  for (Vec<3>& moment : t.load_moments) forget_periodic_moments(state.grid(), moment);
   return t;
 }
 

@@ -40,6 +40,8 @@ struct Totals {
   std::vector<BodyTotals<Dim>> bodies;  // of rigid ones that move as prescribed only the extent, else zeros
   std::vector<EdgeAccount<Dim>> edges;  // by body: what has left
   std::vector<double> released;         // by body: energy of detonation [J]
+  std::vector<Account<Dim>> loads;      // by body: received from the loads on its surface
+  std::vector<Vec<3>> load_moments;     // the same of the angular momentum about the origin
   std::vector<Account<Dim>> pairs;      // by pair_number: received by the lower-numbered body
   std::vector<Vec<3>> moments;          // the same of the angular momentum about the origin
 };

@@ -63,7 +63,7 @@ struct Cluster {
 template <int Dim>
 struct BlockStage {
   SurfaceView<Dim> view;
-  double dt, area;  // s, dx^(Dim-1)
+  double dt, booked, area;  // s; s of them that this stage stands for; dx^(Dim-1)
 
   State<Dim>& state() const { return view.state; }
 };
@@ -228,42 +228,65 @@ void touch_all(const BlockStage<Dim>& a, Cluster<Dim>& c) {
     try_pair(a, c.side[pairs[k].first], c.side[pairs[k].second], pairs[k].gap, c);
 }
 
-/// Velocity along its normal of a surface without traction: u - sigma/Z; that of a gas by the rarefaction to
-/// the pressure at rest.
+/// Velocity along its normal of a surface that a pressure from outside acts on: u - (sigma + pressure)/Z;
+/// that of a gas by the isentrope to this pressure.
 template <int Dim>
 double free_normal_velocity(const Material& material, const Primitives<Dim>& value,
-                            const SurfaceState<Dim>& s) {
+                            const SurfaceState<Dim>& s, double pressure) {
   using C = Components<Dim>;
-  if (const auto gas = gas_isentrope(material.eos, value[C::rho], value[C::p], 0))
+  if (const auto gas = gas_isentrope(material.eos, value[C::rho], value[C::p], pressure))
     return s.velocity + gas->speed;
-  return free_velocity(s.velocity, s.stress, s.impedance);
+  return free_velocity(s.velocity, s.stress + pressure, s.impedance);
 }
 
-/// What no partner has touched is free: no traction, velocity as free_normal_velocity() - tau/Z_s.
+/// The pressure of the loads on what is free of a surface, a mean over the step [Pa].
+template <int Dim>
+double load_on(const BlockStage<Dim>& a, const Side<Dim>& s, const Vec<Dim>& n) {
+  const State<Dim>& state = a.state();
+  if (state.loads.empty()) return 0;
+  return pressure_of(state.loads, s.body, s.cut->point, n, state.time, state.time + a.dt);
+}
+
+/// Adds what a load has done to a body to the record of the block.
+template <int Dim>
+void book_load(const BlockStage<Dim>& a, const Side<Dim>& s, const Vec<Dim>& force, double power) {
+  if (a.state().loads.empty()) return;
+  LoadRecord<Dim>& record = a.state().ledger[a.view.slot].loads[s.body];
+  record.received.momentum += a.booked * force;
+  record.received.energy += a.booked * power;
+  record.moment += a.booked * cross(s.cut->point, force);
+}
+
+/// What no partner has touched is free: no traction but that of loads, velocity as free_normal_velocity() -
+/// tau/Z_s.
 template <int Dim>
 void free_part(const BlockStage<Dim>& a, Side<Dim>& s, const Cluster<Dim>& c) {
   Wall<Dim>& w = *s.wall;
   const double whole = norm(s.cut->surface), rest = norm(s.rest);
-  const bool contact = w.partners != 0;
+  const bool contact = w.partners != 0, small = rest <= small_face * c.face;
   if (contact && rest < nothing_left * c.face) {
     w.volume_rate += dot(s.touched_velocity, s.rest);
     w.velocity = s.touched_velocity;
     return;
   }
-  Vec<Dim> velocity;
-  if (contact && rest <= small_face * c.face) {
-    velocity = w.face_velocity;
-  } else {
-    const Vec<Dim> n = rest > small_face * c.face ? s.rest * (1 / rest) : a.view.normal(s.body, c.cell);
+  const Vec<Dim> n = small ? a.view.normal(s.body, c.cell) : s.rest * (1 / rest);
+  const double pressure = load_on(a, s, n);
+  Vec<Dim> velocity = w.face_velocity;
+  if (!(contact && small)) {
     const Material& material = a.view.body(s.body).material;
     const auto state = surface_state(material, w.value, n);
-    velocity = free_normal_velocity<Dim>(material, w.value, state) * n + state.sliding - shear_recoil(state);
+    velocity = free_normal_velocity<Dim>(material, w.value, state, pressure) * n + state.sliding -
+               shear_recoil(state);
     if (!contact) {
       w.normal = n;
       w.face_velocity = velocity;
+      if (pressure != 0) w.traction = -pressure;
     }
   }
-  act(s, {}, 0, velocity, s.rest);
+  const Vec<Dim> force = -pressure * s.rest;
+  const double power = dot(force, velocity);
+  act(s, force, power, velocity, s.rest);
+  book_load(a, s, force, power);
   const double touched = std::max(whole - rest, 0.0);
   w.velocity = contact ? (s.touched_velocity * touched + velocity * rest) * (1 / (touched + rest)) : velocity;
 }
@@ -337,7 +360,8 @@ template <int Dim>
 void find_walls(State<Dim>& state, int slot, double dt, double weight, Scratch& scratch) {
   state.contacts[slot].clear();
   if (reset_walls(state, slot))
-    find_all<Dim>({view_surfaces(state, slot, wall_sight, scratch), dt, state.grid().dx_power(Dim - 1)});
+    find_all<Dim>(
+        {view_surfaces(state, slot, wall_sight, scratch), dt, weight * dt, state.grid().dx_power(Dim - 1)});
   book_contacts(state, slot, weight * dt);
   for (Body<Dim>& body : state.bodies)
     if (!body.rigid && body.present(slot))

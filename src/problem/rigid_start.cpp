@@ -68,7 +68,7 @@ RigidMotion<Dim> prescribed_motion(const config::Body& body, const config::Case&
     m.history.emplace();
     for (const config::TimedVelocity& t : body.velocity_history) {
       m.history->times.push_back(t.time);
-      m.history->velocities.push_back(first_components<Dim>(t.velocity));
+      m.history->values.push_back(first_components<Dim>(t.velocity));
     }
     m.velocity = m.mean_velocity = m.history->at(0);
   }

@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 #include "levelset/transport.hpp"
 #include "material/starting_state.hpp"
+#include "problem/loads.hpp"
 #include "problem/rigid_start.hpp"
 #include "problem/shape.hpp"
 #include "problem/starting_velocity.hpp"
@@ -295,6 +296,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = a + 1; b < n; ++b)
       state.contact.push_back(contact_law(c.contact.between(c.bodies[a].name, c.bodies[b].name)));
+  state.loads = surface_loads<Dim>(c);
   state.ledger.resize(static_cast<std::size_t>(state.mesh.local()));
   state.contacts.resize(state.ledger.size());
   for (auto& l : state.ledger) {
@@ -302,6 +304,7 @@ State<Dim> make_state(const config::Case& c, const std::vector<Material>& materi
     l.edges.resize(n);
     l.failures.resize(n);
     l.released.resize(n);
+    l.loads.resize(state.loads.empty() ? 0 : n);
   }
   return state;
 }

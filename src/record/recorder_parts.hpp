@@ -159,7 +159,7 @@ struct Recorder<Dim>::Parts {
   parallel::Team* team;
   RunUnits units;
   std::vector<std::string> names;
-  std::vector<bool> rigid;
+  std::vector<bool> rigid, loaded;
   ExactSums sums;
   PairSampler<Dim> sampler;
   Gauges<Dim> gauges;
@@ -190,6 +190,7 @@ struct Recorder<Dim>::Parts {
         units(run_units(c.domain.geometry)),
         names(names_of(state)),
         rigid(rigid_bodies(state)),
+        loaded(loaded_bodies(state)),
         sampler(state.count(), sums),
         gauges(c, state, w, make_folder("gauges"), sums),
         events(names, c.domain.geometry, contact_rule(state, c.method), closed_axes(c.domain)),
@@ -206,7 +207,7 @@ struct Recorder<Dim>::Parts {
 
   void open_tables(CsvMode mode) {
     if (!first()) return;
-    history.emplace(directory / "history.csv", names, rigid, units, mode);
+    history.emplace(directory / "history.csv", names, rigid, loaded, units, mode);
     write_events(directory / "events.csv", events.events(), units.axes);
     events_written = events.events().size();
     fragments.open(directory / "fragments.csv", mode, fields.last());

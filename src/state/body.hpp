@@ -19,6 +19,7 @@
 #include "state/cut_cell.hpp"
 #include "state/detonation_front.hpp"
 #include "state/rigid_motion.hpp"
+#include "state/surface_load.hpp"
 
 namespace recoil {
 
@@ -168,6 +169,18 @@ struct FailureRecord {
   }
 };
 
+/// What the loads on a body's surface have given it in one block since the start.
+template <int Dim>
+struct LoadRecord {
+  ExactAccount<Dim> received;
+  ExactVec<3> moment;  // as received.momentum, about the origin [N m s]
+
+  LoadRecord& operator+=(const LoadRecord& b) {
+    received += b.received, moment += b.moment;
+    return *this;
+  }
+};
+
 /// What one block has seen, so that threads need not share it. Sums over blocks do not depend on how cells
 /// are divided between them.
 template <int Dim>
@@ -176,6 +189,7 @@ struct BlockLedger {
   std::vector<ExactEdgeAccount<Dim>> edges;  // by body: what left through the edges of the domain
   std::vector<FailureRecord<Dim>> failures;  // by body
   std::vector<ExactSum> released;            // by body: energy of detonation [J]
+  std::vector<LoadRecord<Dim>> loads;        // by body; empty in a state without loads
   Counters counters;
 };
 
@@ -202,6 +216,7 @@ struct State {
   long step = 0;
   double travel = 0;  // of surfaces since the last full redistancing [m]
   FieldSet stale{};   // fields that have changed since this process last got copies of others' blocks
+  std::vector<SurfaceLoad<Dim>> loads{};
 
   /// The cells of the finest level, and of the level of a block.
   const Grid<Dim>& grid() const { return mesh.grid(); }

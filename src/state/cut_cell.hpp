@@ -54,7 +54,7 @@ struct Wall {
   std::array<Vec<Dim>, C::primitives> gradient{};  // per dx
   // the wall of this stage
   Vec<Dim> normal;             // out of the body
-  double traction = 0;         // sigma* of the contact [Pa], 0 where free
+  double traction = 0;         // sigma* of the contact [Pa]; where free, minus the pressure of loads
   Vec<Dim> shear;              // tau* of the contact on the outward normal [Pa], 0 without friction
   Vec<Dim> face_velocity;      // of the main part of the wall
   Vec<Dim> velocity;           // area mean over its parts

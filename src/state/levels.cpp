@@ -237,9 +237,11 @@ State<Dim> empty_on(Mesh<Dim>&& mesh, const State<Dim>& from) {
     b.blocks.resize(slots);
   }
   to.contacts.resize(local);
+  to.loads = from.loads;
   BlockLedger<Dim> none;
   const std::size_t n = from.bodies.size();
   none.pairs.resize(n * (n - 1) / 2), none.edges.resize(n), none.failures.resize(n), none.released.resize(n);
+  none.loads.resize(from.loads.empty() ? 0 : n);
   to.ledger.assign(local, none);
   return to;
 }

@@ -47,6 +47,7 @@ void pack_block(const State<Dim>& state, int slot, parallel::Bytes& bytes) {
   pack(bytes, ledger.edges.data(), ledger.edges.size());
   pack(bytes, ledger.failures.data(), ledger.failures.size());
   pack(bytes, ledger.released.data(), ledger.released.size());
+  pack(bytes, ledger.loads.data(), ledger.loads.size());
   pack(bytes, ledger.counters);
 }
 
@@ -73,6 +74,7 @@ std::vector<PackedPlace<Dim>> unpack_block(State<Dim>& state, int slot, parallel
   from.read(ledger.edges.data(), ledger.edges.size());
   from.read(ledger.failures.data(), ledger.failures.size());
   from.read(ledger.released.data(), ledger.released.size());
+  from.read(ledger.loads.data(), ledger.loads.size());
   ledger.counters = from.read<Counters>();
   return places;
 }

@@ -127,35 +127,9 @@ void set_moving(RigidMotion<Dim>& m, const Vec<Dim>& velocity, const Vec<3>& spi
 }
 
 template <int Dim>
-Vec<Dim> VelocityHistory<Dim>::at(double time) const {
-  if (time <= times.front()) return velocities.front();
-  for (std::size_t k = 1; k < times.size(); ++k)
-    if (time < times[k]) {
-      const double part = (time - times[k - 1]) / (times[k] - times[k - 1]);
-      return velocities[k - 1] + part * (velocities[k] - velocities[k - 1]);
-    }
-  return velocities.back();
-}
-
-template <int Dim>
-Vec<Dim> VelocityHistory<Dim>::mean(double from, double to) const {
-  if (!(to > from)) return at(from);
-  Vec<Dim> way;
-  double begin = from;
-  const auto go = [&](double end) {
-    way += (0.5 * (end - begin)) * (at(begin) + at(end));
-    begin = end;
-  };
-  for (const double t : times)
-    if (t > begin && t < to) go(t);
-  go(to);
-  return (1 / (to - from)) * way;
-}
-
-template <int Dim>
-double VelocityHistory<Dim>::fastest() const {
+double fastest(const VelocityHistory<Dim>& history) {
   double most = 0;
-  for (const auto& u : velocities) most = std::max(most, norm(u));
+  for (const Vec<Dim>& u : history.values) most = std::max(most, norm(u));
   return most;
 }
 
@@ -198,7 +172,7 @@ void move_rigid(RigidMotion<Dim>& m, double dt, const Vec<Dim>& impulse, const V
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                          \
-  template struct VelocityHistory<Dim>;                                                                  \
+  template double fastest<Dim>(const VelocityHistory<Dim>&);                                             \
   template void follow_history<Dim>(RigidMotion<Dim>&, double, double);                                  \
   template Vec<Dim> middle_at<Dim>(const RigidMotion<Dim>&, const RigidPose<Dim>&);                      \
   template Vec<Dim> nearest_image<Dim>(const RigidMotion<Dim>&, const RigidPose<Dim>&, const Vec<Dim>&); \

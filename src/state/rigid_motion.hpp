@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/linear_history.hpp"
 #include "core/vec.hpp"
 
 namespace recoil {
@@ -23,17 +24,14 @@ struct RigidMass {
   double energy = 0;        // J: at the start, and what its contacts have given since
 };
 
-/// A prescribed velocity over time: straight lines between the times, constant before and after.
+/// A prescribed velocity over time [m/s]. Its mean over a step is what the body moves, over the time that it
+/// takes.
 template <int Dim>
-struct VelocityHistory {
-  std::vector<double> times;           // s, growing
-  std::vector<Vec<Dim>> velocities{};  // m/s
+using VelocityHistory = LinearHistory<Vec<Dim>>;
 
-  Vec<Dim> at(double time) const;
-  /// The mean from one time to a later one: what the body moves, over the time that it takes.
-  Vec<Dim> mean(double from, double to) const;
-  double fastest() const;  // m/s
-};
+/// The largest speed of a history [m/s].
+template <int Dim>
+double fastest(const VelocityHistory<Dim>& history);
 
 /// A rigid body: a shape that moves as prescribed or, with a mass, as its contacts push it.
 template <int Dim>

@@ -83,15 +83,15 @@ double choose_length(StepRun<Dim>& step, const Stepping& stepping, double until)
   static constexpr FieldAccess access{"choose length", {}, role | average | phi | extension_velocity, {}};
   const State<Dim>& state = step.state();
   const double sound = sound_in_step(Dim, stepping.stages);
-  std::vector<double> fastest(static_cast<std::size_t>(state.mesh.local()), 0);
+  std::vector<double> signals(static_cast<std::size_t>(state.mesh.local()), 0);
   step.for_each_body(StepPhase::averages, access, [&](Body<Dim>& body, int slot, Scratch&) {
-    double& f = fastest[slot];
+    double& f = signals[slot];
     f = std::max(f, fastest_signal(state, body, slot, sound, step.counters(slot)));
   });
-  double signal = step.engine().world.max(largest(fastest));
+  double signal = step.engine().world.max(largest(signals));
   for (const Body<Dim>& body : state.bodies)
     if (body.rigid && body.rigid->history)
-      signal = std::max(signal, body.rigid->history->fastest() / state.grid().dx);
+      signal = std::max(signal, fastest<Dim>(*body.rigid->history) / state.grid().dx);
   const double stable = signal > 0 ? stepping.cfl / signal : until - state.time;
   const double dt = std::min(stepping.fixed_dt.value_or(stable), until - state.time);
   if (!(stable > shortest_step))

@@ -91,6 +91,7 @@ void add_ledger(BlockLedger<Dim>& to, const BlockLedger<Dim>& more) {
   for (std::size_t m = 0; m < to.edges.size(); ++m) to.edges[m] += more.edges[m];
   for (std::size_t m = 0; m < to.failures.size(); ++m) to.failures[m].merge(more.failures[m]);
   for (std::size_t m = 0; m < to.released.size(); ++m) to.released[m] += more.released[m];
+  for (std::size_t m = 0; m < to.loads.size(); ++m) to.loads[m] += more.loads[m];
   to.counters += more.counters;
 }
 

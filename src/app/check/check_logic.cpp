@@ -175,6 +175,7 @@ void check_logic(LoadedCase& loaded) {
       check_gauges<3>(loaded);
   }
   check_velocity_fields(loaded);
+  check_loads(loaded);
   check_materials(loaded);
   check_gases(loaded);
   if (!loaded.found.has_errors()) check_motion(loaded);  // shocks in matter that exists

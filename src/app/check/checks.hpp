@@ -35,6 +35,10 @@ void check_motion(LoadedCase& loaded);
 /// Formulas of velocities that have no finite value somewhere in their body, among samples.
 void check_velocity_fields(LoadedCase& loaded);
 
+/// Loads that never act on their body, have no finite value somewhere on it, among samples, or that the
+/// scheme does not know.
+void check_loads(LoadedCase& loaded);
+
 /// Plates without damage that releases will pull harder than their material bears.
 void check_tension(LoadedCase& loaded);
 

@@ -23,8 +23,9 @@ namespace {
 using config::Body;
 using config::Case;
 
-bool moves(const Body& b) {
-  return b.velocity != config::Vector{} || b.spin != config::Vector{} || b.radial_velocity != 0 ||
+bool moves(const Body& b, const Case& c) {
+  return std::ranges::find(c.loads, b.name, &config::Load::body) != c.loads.end() ||
+         b.velocity != config::Vector{} || b.spin != config::Vector{} || b.radial_velocity != 0 ||
          b.velocity_field.is_given() || !b.velocity_history.empty() || !b.detonation.points.empty() ||
          b.pressure.value_or(0) != 0;
 }
@@ -212,11 +213,11 @@ void check_motion(LoadedCase& loaded) {
                     c.bodies.front().name));
     return;
   }
-  if (std::none_of(c.bodies.begin(), c.bodies.end(), moves)) {
+  if (std::ranges::none_of(c.bodies, [&c](const Body& b) { return moves(b, c); })) {
     loaded.found.error(
         c.bodies.front().place,
-        "nothing moves: no body has a velocity, a spin, a radial-velocity, a velocity-field, a pressure or a "
-        "detonation",
+        "nothing moves: no body has a velocity, a spin, a radial-velocity, a velocity-field, a pressure, a "
+        "detonation or a load",
         fmt::format("e.g. velocity = {{ {} = \"450 m/s\" }} in [body.{}]",
                     config::axes_of(c.domain.geometry).back(), c.bodies.front().name));
     return;

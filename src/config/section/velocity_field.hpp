@@ -8,7 +8,7 @@
 
 namespace recoil::config {
 
-/// Formulas (config/section/formula.hpp) of the velocity of a body at the start, by coordinate; an empty text
+/// Formulas (config/formula/formula.hpp) of the velocity of a body at the start, by coordinate; an empty text
 /// is 0.
 struct VelocityField {
   std::string x, y, z, r;

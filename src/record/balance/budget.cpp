@@ -45,6 +45,10 @@ typename BudgetWatch<Dim>::Sums BudgetWatch<Dim>::owed(const Totals<Dim>& t, int
     add(1, {t.bodies[e].mass, t.bodies[e].energy, t.bodies[e].momentum});
     add(1, t.edges[e]);
     if (e < t.released.size()) s.energy -= t.released[e];
+    if (e < t.loads.size()) {
+      add(-1, t.loads[e]);
+      s.angular_momentum -= t.load_moments[e];
+    }
     s.speed += t.bodies[e].speed;
     s.angular_momentum += t.bodies[e].angular_momentum;
   }

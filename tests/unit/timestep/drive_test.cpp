@@ -120,7 +120,7 @@ TEST(VelocityHistory, IsStraightBetweenItsTimes) {
   EXPECT_DOUBLE_EQ(h.at(9 * us)[0], 30);
   EXPECT_DOUBLE_EQ(h.mean(0, 4 * us)[0], (10 + 40 + 30) / 4.0);
   EXPECT_DOUBLE_EQ(h.mean(1.5 * us, 1.5 * us)[0], 15);
-  EXPECT_DOUBLE_EQ(h.fastest(), 30);
+  EXPECT_DOUBLE_EQ(fastest<1>(h), 30);
 }
 
 TEST(VelocityHistory, MovesARigidBodyAndItsContact) {
