@@ -83,7 +83,9 @@ void check_loads(LoadedCase& loaded) {
                                          load.name, load.body),
                              "compare its places with those of the shape, and its times with time.end");
     } catch (const PhysicsError& e) {
-      loaded.found.error(load.place, e.what(), "e.g. write t > 0*us ? ... : 0*GPa");
+      loaded.found.error(load.place, e.what(),
+                         fmt::format("e.g. write {} > 0*mm ? ... : 0*GPa, or t > 0*us ? ... : 0*GPa",
+                                     config::axes_of(c.domain.geometry).front()));
     }
   }
 }

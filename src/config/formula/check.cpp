@@ -69,7 +69,6 @@ void check_dimension(const Checked& c) {
   const Formula formula(c.text, c.axes(), c.goal.of);
   if (!c.reading.in.knows_domain || formula.has_dimension(places, c.goal.dimension)) return;
   const auto [function, argument] = function_of_units(c, places);
-  const bool of_time = Formula(c.text, c.axes(), c.goal.of).has_dimension(places, {0, 1, 0});
   if (!function.empty()) {
     const bool timed = Formula(argument, c.axes(), c.goal.of).has_dimension(places, {0, 1, 0});
     return c.reading.wrong(
@@ -78,13 +77,14 @@ void check_dimension(const Checked& c) {
                     c.key, c.goal.noun, function),
         fmt::format("divide by a unit: {}({})", function, timed ? "t/us" : c.axes().front() + "/mm"));
   }
-  c.reading.wrong(c.key,
-                  fmt::format("the formula of '{}' is no {}: numbers need units, and {} lengths", c.key,
-                              c.goal.noun, of_time ? "t is a time, coordinates are" : "coordinates are"),
-                  c.text.find_first_of("<>=") == std::string::npos
-                      ? fmt::format("e.g. {} = {}", c.key, c.goal.example)
-                      : fmt::format("so do numbers in comparisons: {} > 20*mm ? {} : 0", c.axes().front(),
-                                    c.goal.one_of));
+  c.reading.wrong(
+      c.key,
+      fmt::format("the formula of '{}' is no {}: numbers need units, and coordinates are lengths{}", c.key,
+                  c.goal.noun, c.goal.of == Formula::Of::place_and_time ? ", t is a time" : ""),
+      c.text.find_first_of("<>=") == std::string::npos
+          ? fmt::format("e.g. {} = {}", c.key, c.goal.example)
+          : fmt::format("so do numbers in comparisons: {} > 20*mm ? {} : 0", c.axes().front(),
+                        c.goal.one_of));
 }
 
 }  // namespace

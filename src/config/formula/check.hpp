@@ -11,7 +11,7 @@ namespace recoil::config {
 struct FormulaGoal {
   const char* noun;  // "velocity"
   Dimension dimension;
-  const char* example;  // as in TOML
+  std::string example;  // as in TOML
   const char* one_of;   // a value for examples: "5*m/s"
   Formula::Of of = Formula::Of::place;
 };

@@ -57,6 +57,7 @@ Entries<Load> Load::keys() {
        .example = pressure_example},
       {.name = "history",
        .member = Custom<Load>{Key::Type::any, false, read_history, write_history},
+       .unit = "Pa",
        .optional = true,
        .doc = "pairs of a time and a pressure; straight lines between them, constant before the first and "
               "after the last",
@@ -89,7 +90,9 @@ void Load::check(const TableReading& reading) const {
   using enum Formula::Of;
   check_formula(reading, "pressure", pressure,
                 {"pressure", {0, 0, 1}, pressure_example, "2*GPa", place_and_time});
-  check_formula(reading, "part", part, {"pure number", {}, part_example, "1", place_and_time});
+  check_formula(
+      reading, "part", part,
+      {"pure number", {}, fmt::format("\"{} < 3*mm\"", reading.in.axes.front()), "1", place_and_time});
   if (std::ranges::find(reading.in.rigid_bodies, body) != reading.in.rigid_bodies.end())
     reading.wrong("body", fmt::format("'{}' is rigid: loads act on bodies with a material", body),
                   "a rigid body is driven by its 'velocity-history'");
