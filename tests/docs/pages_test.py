@@ -79,7 +79,7 @@ class Shapes(unittest.TestCase):
 
     def test_shapes_of_the_page_are_read(self):
         page = (ROOT / "docs" / "how-to" / "describe-a-body.md").read_text()
-        blocks = [b for b in re.findall(r"(?:^    .*\n)+", page, re.M) if "..." not in b and "[body." not in b]
+        blocks = [b for b in re.findall(r"(?:^    .*\n)+", page, re.M) if not any(part in b for part in ("...", "[body.", "[load."))]
         self.assertGreaterEqual(len(blocks), 6)
         with tempfile.TemporaryDirectory() as folder:
             shutil.copy(ROOT / "templates" / "fragment.stl", folder)
@@ -94,6 +94,19 @@ class Shapes(unittest.TestCase):
                 done = subprocess.run([os.environ["RECOIL_PROGRAM"], "check", case], capture_output=True, text=True, timeout=60)
                 self.assertNotIn("error", done.stderr, block)
                 self.assertIn("cost", done.stdout, block + done.stdout + done.stderr)
+
+
+    def test_loads_of_the_page_are_read(self):
+        page = (ROOT / "docs" / "how-to" / "describe-a-body.md").read_text()
+        (block,) = [b for b in re.findall(r"(?:^    .*\n)+", page, re.M) if "[load." in b]
+        with tempfile.TemporaryDirectory() as folder:
+            case = pathlib.Path(folder) / "case.toml"
+            case.write_text('[domain]\ngeometry = "axisymmetric"\nr = ["0 mm", "10 mm"]\nz = ["-5 mm", "5 mm"]\n[mesh]\nfinest = "0.1 mm"\n[time]\nend = "1 us"\n'
+                            '[body.plate]\nmaterial = "copper/seed"\nshape = { kind = "box", r = ["0 mm", "8 mm"], z = ["0 mm", "2 mm"] }\n'
+                            + textwrap.dedent(block))  # fmt: skip
+            done = subprocess.run([os.environ["RECOIL_PROGRAM"], "check", case], capture_output=True, text=True, timeout=60)
+            self.assertNotIn("error", done.stderr, block)
+            self.assertNotIn("zero", done.stderr, block)
 
 
 class Reference(unittest.TestCase):
