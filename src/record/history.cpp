@@ -16,9 +16,9 @@ struct HistoryLine {
 
 std::vector<std::string> columns_for(const std::vector<HistoryLine>& lines, const RunUnits& u) {
   std::vector<std::string> all{"time [us]"};
-  for (const auto& [name, loaded] : lines) {
+  for (const HistoryLine& line : lines) {
     const auto add = [&](const std::string& what, const std::string& unit) {
-      all.push_back(fmt::format("{}.{} [{}]", name, what, unit));
+      all.push_back(fmt::format("{}.{} [{}]", line.name, what, unit));
     };
     const auto add_axes = [&](const std::string& what, const std::string& unit) {
       for (const std::string& axis : u.axes) add(what + "." + axis, unit);
@@ -38,7 +38,7 @@ std::vector<std::string> columns_for(const std::vector<HistoryLine>& lines, cons
     add("edges.mass", u.mass);
     add_axes("edges.momentum", u.momentum);
     add("edges.energy", u.energy);
-    if (loaded) {
+    if (line.loaded) {
       add_axes("load.impulse", u.momentum);
       add_turns("load.moment");
       add("load.work", u.energy);
