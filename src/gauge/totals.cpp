@@ -227,7 +227,7 @@ Totals<Dim> find_totals(const State<Dim>& state, const parallel::World& world, p
   using A = BodySums<Dim>;
   using Outside = OutsideSums<Dim>;
   const int bodies = state.count(), pairs = bodies * (bodies - 1) / 2;
-  ExactSums sums;  // items: all bodies, their edges, all pairs
+  ExactSums sums;  // items: all bodies, what they exchange with the outside, all pairs
   for (int m = 0; m < bodies; ++m) sums.item(A::sums, A::all - A::sums);
   for (int m = 0; m < bodies; ++m) sums.item(Outside::sums);
   for (int p = 0; p < pairs; ++p) sums.item(2 + Dim + 3);

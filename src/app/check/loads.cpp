@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/check/checks.hpp"
+#include "app/check/sampled_cells.hpp"
 #include "core/error.hpp"
 #include "problem/loads.hpp"
 #include "problem/shape.hpp"
@@ -16,7 +17,6 @@ namespace recoil::app {
 
 namespace {
 
-constexpr double most_looked_at = 1e5;            // that are looked at
 constexpr int most_places = 200, instants = 100;  // that are asked
 
 /// Places near the surface of a body at the start, spread over all of it.
@@ -24,17 +24,9 @@ template <int Dim>
 std::vector<Vec<Dim>> surface_places(const config::Case& c, const config::Body& body) {
   const Grid<Dim> grid = make_grid<Dim>(c);
   const auto distance = signed_distance<Dim>(body.shape, c.domain);
-  double total = 1;
-  for (int d = 0; d < Dim; ++d) total *= grid.cells[d];
-  const int stride = static_cast<int>(std::max(1.0, std::ceil(std::pow(total / most_looked_at, 1.0 / Dim))));
-  Box<Dim> cells;
-  for (int d = 0; d < Dim; ++d) cells.hi[d] = (grid.cells[d] + stride - 1) / stride;
   std::vector<Vec<Dim>> all;
-  for_each(cells, [&](const Index<Dim>& i) {
-    Index<Dim> cell;
-    for (int d = 0; d < Dim; ++d) cell[d] = std::min(i[d] * stride + stride / 2, grid.cells[d] - 1);
-    const Vec<Dim> x = grid.centre(cell);
-    if (std::abs(distance(x)) <= 0.5 * stride * grid.dx) all.push_back(x);
+  for_each_sampled_cell(grid, [&](const Vec<Dim>& x, double width) {
+    if (std::abs(distance(x)) <= 0.5 * width) all.push_back(x);
   });
   const std::size_t apart = std::max<std::size_t>(1, all.size() / most_places);
   std::vector<Vec<Dim>> some;

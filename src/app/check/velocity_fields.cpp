@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/check/checks.hpp"
+#include "app/check/sampled_cells.hpp"
 #include "core/error.hpp"
 #include "problem/shape.hpp"
 #include "problem/start.hpp"
@@ -14,25 +15,15 @@ namespace recoil::app {
 
 namespace {
 
-constexpr double most_asked = 1e5;  // cells
-
 /// Asks for the velocity in cells of the body, as the start of a run does. @returns the largest speed.
 template <int Dim>
 double fastest(const config::Case& c, const config::Body& body) {
   const Grid<Dim> grid = make_grid<Dim>(c);
   const auto distance = signed_distance<Dim>(body.shape, c.domain);
   const auto velocity = starting_velocity<Dim>(body, c.domain, grid.dx);
-  double total = 1;
-  for (int d = 0; d < Dim; ++d) total *= grid.cells[d];
-  const int stride = static_cast<int>(std::max(1.0, std::ceil(std::pow(total / most_asked, 1.0 / Dim))));
   double speed = 0;
-  Box<Dim> places;
-  for (int d = 0; d < Dim; ++d) places.hi[d] = (grid.cells[d] + stride - 1) / stride;
-  for_each(places, [&](const Index<Dim>& i) {
-    Index<Dim> cell;
-    for (int d = 0; d < Dim; ++d) cell[d] = std::min(i[d] * stride + stride / 2, grid.cells[d] - 1);
-    if (const Vec<Dim> x = grid.centre(cell); distance(x) < 0.5 * grid.dx)
-      speed = std::max(speed, norm(velocity(x)));
+  for_each_sampled_cell(grid, [&](const Vec<Dim>& x, double) {
+    if (distance(x) < 0.5 * grid.dx) speed = std::max(speed, norm(velocity(x)));
   });
   return speed;
 }
