@@ -40,6 +40,16 @@ TEST(Bytes, AreReadBackInTheirOrder) {
   EXPECT_TRUE(reader.empty());
 }
 
+TEST(Bytes, ReadingNoneLeavesAnEmptyListAlone) {
+  Bytes bytes;
+  std::vector<double> none;
+  pack(bytes, none.data(), none.size());
+  pack(bytes, 'x');
+  Unpacker reader(bytes);
+  reader.read(none.data(), none.size());
+  EXPECT_EQ(reader.read<char>(), 'x');
+}
+
 TEST(Bytes, AShortMessageIsAnError) {
   Bytes bytes;
   pack(bytes, 1.0F);
