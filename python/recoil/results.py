@@ -13,7 +13,7 @@ from .fields import FieldSeries
 from .tables import Tables, read_table, series
 from .units import convert
 
-AXES = {"1d": ("x",), "planar": ("x", "y"), "axisymmetric": ("r", "z"), "3d": ("x", "y", "z")}
+AXES = {"1d": ("x",), "spherical": ("r",), "planar": ("x", "y"), "axisymmetric": ("r", "z"), "3d": ("x", "y", "z")}
 
 
 class Run:
@@ -48,7 +48,7 @@ class Run:
 
     @property
     def geometry(self):
-        """'1d', 'planar', 'axisymmetric' or '3d'."""
+        """'1d', 'spherical', 'planar', 'axisymmetric' or '3d'."""
         return self.case["domain"]["geometry"]
 
     @property

@@ -173,7 +173,7 @@ export interface Source {
 export interface Run {
   name: string;
   title: string;
-  geometry: "1d" | "planar" | "axisymmetric" | "3d";
+  geometry: "1d" | "spherical" | "planar" | "axisymmetric" | "3d";
   axes: string[];
   cell_mm: number;
   end_us: number;

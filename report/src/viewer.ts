@@ -75,7 +75,7 @@ export class Viewer {
     const planes = (fields?.planes ?? []).map((p, k) => ({ value: String(k), text: p.name }));
     const plane = chooser("Slice", planes, "0", (k) => this.cut(Number(k)));
     if (planes.length < 2) plane.element.hidden = true;
-    const flat = this.run.geometry !== "1d";
+    const flat = !this.isLine;
     const overTime = flat && this.frames().length > 2 ? overTimeButtons(this.axes(), (k) => void this.overTime(k)) : null;
     const marks = flat && this.contactName() ? contactKey() : null;
     const notes = [
@@ -114,6 +114,10 @@ export class Viewer {
 
   private variable(): Variable {
     return this.store.variable(this.name);
+  }
+
+  private get isLine(): boolean {
+    return this.run.axes.length === 1;
   }
 
   private mirror(): boolean {
@@ -188,13 +192,13 @@ export class Viewer {
 
   private place(width: number, scale: Scale): { area: PlotArea; height: number } {
     const { x, y } = this.extent();
-    if (this.run.geometry === "1d") return curveArea(width, x, scale.range);
+    if (this.isLine) return curveArea(width, x, scale.range);
     return planeArea(width, Math.max(260, Math.min(680, window.innerHeight * 0.7)), x, y);
   }
 
   private scale(values: Float32Array): Scale {
     const variable = this.variable();
-    const line = this.run.geometry === "1d" ? { ...variable, signed: false } : variable;
+    const line = this.isLine ? { ...variable, signed: false } : variable;
     return scaleOf(line, rangeOf(variable, values, this.mode));
   }
 
@@ -202,7 +206,7 @@ export class Viewer {
     const turn = ++this.turn;
     const begun = performance.now();
     const [plane, index] = [this.plane, this.index];
-    const contactName = this.run.geometry === "1d" ? null : this.contactName();
+    const contactName = this.isLine ? null : this.contactName();
     const [values, outlines, marks] = await Promise.all([
       this.store.valuesOf(plane, index, this.name),
       this.store.outlinesOf(plane, index),
@@ -292,7 +296,7 @@ export class Viewer {
     new ResizeObserver(() => void this.draw()).observe(this.element);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => void this.draw());
     document.addEventListener("recoil-theme", () => void this.draw());
-    if (this.run.geometry === "1d" && this.frames().length > 2) void this.overTime(0);
+    if (this.isLine && this.frames().length > 2) void this.overTime(0);
   }
 
   private point(e: PointerEvent): void {
@@ -315,7 +319,7 @@ export class Viewer {
     if (!from) return;
     const to = { x: this.area.dataX(e.offsetX), y: this.area.dataY(e.offsetY) };
     const far = Math.abs(this.area.px(from.x) - e.offsetX) > 8 && Math.abs(this.area.py(from.y) - e.offsetY) > 8;
-    if (far && this.run.geometry !== "1d") {
+    if (far && !this.isLine) {
       this.window = {
         x: { from: Math.min(from.x, to.x), to: Math.max(from.x, to.x) },
         y: { from: Math.min(from.y, to.y), to: Math.max(from.y, to.y) },
@@ -332,7 +336,7 @@ export class Viewer {
     const { x, y } = this.extent();
     const about = (s: Span, c: number) => ({ from: c + (s.from - c) * factor, to: c + (s.to - c) * factor });
     const c = this.probe ?? { x: 0.5 * (x.from + x.to), y: 0.5 * (y.from + y.to) };
-    this.window = factor === 0 || this.run.geometry === "1d" ? null : { x: about(x, c.x), y: about(y, c.y) };
+    this.window = factor === 0 || this.isLine ? null : { x: about(x, c.x), y: about(y, c.y) };
     void this.draw();
   }
 

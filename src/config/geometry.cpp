@@ -14,6 +14,8 @@ std::vector<std::string> axes_of(Geometry geometry) {
   switch (geometry) {
     case Geometry::line:
       return {"x"};
+    case Geometry::spherical:
+      return {"r"};
     case Geometry::planar:
       return {"x", "y"};
     case Geometry::axisymmetric:

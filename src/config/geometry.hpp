@@ -6,17 +6,27 @@
 
 namespace recoil::config {
 
-/// Three components whatever the geometry: 1d uses [0] = x; planar [0] = x, [1] = y; axisymmetric [0] = r,
-/// [1] = z; 3d all.
+/// Three components whatever the geometry: 1d uses [0] = x; spherical [0] = r; planar [0] = x, [1] = y;
+/// axisymmetric [0] = r, [1] = z; 3d all.
 using Vector = std::array<double, 3>;
 
-enum class Geometry { line, planar, axisymmetric, space };
+enum class Geometry { line, spherical, planar, axisymmetric, space };
 
 /// As in a case file, in the order of the enumeration.
-inline constexpr std::array geometry_names{"1d", "planar", "axisymmetric", "3d"};
+inline constexpr std::array geometry_names{"1d", "spherical", "planar", "axisymmetric", "3d"};
 
 /// 1, 2 or 3.
-constexpr int dimension(Geometry g) { return g == Geometry::line ? 1 : g == Geometry::space ? 3 : 2; }
+constexpr int dimension(Geometry g) {
+  if (g == Geometry::space) return 3;
+  return g == Geometry::line || g == Geometry::spherical ? 1 : 2;
+}
+
+/// The power of r with which areas grow from the axis (1) or the centre (2) where the first coordinate is a
+/// radius, else 0.
+constexpr int radial_power(Geometry g) {
+  return g == Geometry::spherical ? 2 : g == Geometry::axisymmetric ? 1 : 0;
+}
+constexpr bool has_radius(Geometry g) { return radial_power(g) > 0; }
 
 /// Whether it has a plane in which shapes can be turned.
 constexpr bool flat(Geometry g) { return dimension(g) == 2; }

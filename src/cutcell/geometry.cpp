@@ -24,28 +24,31 @@ CutCell<Dim> cut_cell(const Grid<Dim>& grid, const Index<Dim>& i, int cell, cons
   CutCell<Dim> c;
   c.cell = cell;
   const double area = grid.dx_power(Dim - 1), volume = grid.dx_power(Dim);
-  const auto radius = [&](const Vec<Dim>& x) {
-    return grid.axisymmetric ? std::abs(grid.origin[0] + (i[0] + x[0]) * grid.dx) : 1.0;
-  };
+  const auto radius = [&](const Vec<Dim>& x) { return grid.origin[0] + (i[0] + x[0]) * grid.dx; };
   for (int d = 0; d < Dim; ++d)
     for (int side = 0; side < 2; ++side) {
       const Clip<Dim>& face = faces[d][side];
-      c.open[d][side] = face.fraction * area * (face.fraction > 0 ? radius(face.centroid) : 1);
+      c.open[d][side] =
+          face.fraction * area * (face.fraction > 0 ? grid.weight_at(radius(face.centroid)) : 1);
       if (face.fraction > 0 && face.fraction < 1)
         for (int e = 0; e < Dim; ++e)
           if (e != d) c.open_middle[d][side][e] = face.centroid[e] - 0.5;
     }
   const Clip<Dim> fragment = clip<Dim>(corner, faces);
-  c.volume = fragment.fraction * volume * radius(fragment.centroid);
+  const double middle = radius(fragment.centroid);
+  c.volume = fragment.fraction * volume * grid.weight_at(middle);
   for (int d = 0; d < Dim; ++d) {
     c.centroid[d] = fragment.centroid[d] - 0.5;
     c.point[d] = grid.origin[d] + (i[d] + fragment.middle[d]) * grid.dx;
     c.surface[d] = -(c.open[d][1] - c.open[d][0]);
   }
-  if (grid.axisymmetric) {
-    c.plane_area = fragment.fraction * volume;
-    c.surface[0] += c.plane_area;
+  if (grid.radial_power == 1) c.hoop_area = fragment.fraction * volume;
+  if (grid.radial_power == 2) {
+    const double length = fragment.fraction * grid.dx;
+    c.volume += length * length * length / 12;
+    c.hoop_area = 2 * middle * length;
   }
+  c.surface[0] += c.hoop_area;
   return c;
 }
 

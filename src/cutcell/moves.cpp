@@ -203,7 +203,7 @@ void measure_mismatch(const State<Dim>& state, Body<Dim>& body, int slot) {
   const double face = grid.dx_power(Dim - 1);
   for (CutCell<Dim>& cut : b.end_geometry.cuts) {
     const Index<Dim> i = state.mesh.block(slot).cells.lo + layout.index(cut.cell);
-    const double area = std::max(norm(cut.surface), least_mismatch_area * face * grid.radius(i[0]));
+    const double area = std::max(norm(cut.surface), least_mismatch_area * face * grid.weight(i[0]));
     const auto k = static_cast<std::size_t>(cut.cell);
     cut.failed = can_fail(body.material.damage) && b.contents[k] > 0 && has_failed(b, k);
     cut.mismatch = std::clamp((b.volume[cut.cell] - cut.volume) / area, -most_mismatch * grid.dx,

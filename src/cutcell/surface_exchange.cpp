@@ -25,7 +25,7 @@ struct SurfaceFlow {
 /// |A_I| of a cut cell, at least least_surface.
 template <int Dim>
 double surface_area(const Grid<Dim>& grid, const CutCell<Dim>& c, const Index<Dim>& i) {
-  return std::max(norm(c.surface), least_surface * grid.dx_power(Dim - 1) * grid.radius(i[0]));
+  return std::max(norm(c.surface), least_surface * grid.dx_power(Dim - 1) * grid.weight(i[0]));
 }
 
 /// Volume [m^Dim] that flows from cell i to its upper neighbour along axis d. Into a cell that another body
@@ -35,7 +35,7 @@ template <int Dim>
 double volume_to_upper(const MovesView<Dim>& p, const Index<Dim>& i, const Index<Dim>& j, int d) {
   const CutCell<Dim>*a = p.cut(i), *b = p.cut(j);
   if (!a || !b) return 0;
-  const double face = b->open[d][0] / (p.grid.dx_power(Dim - 1) * p.grid.radius(j[0]));
+  const double face = b->open[d][0] / (p.grid.dx_power(Dim - 1) * p.grid.weight(j[0]));
   if (face <= closed_face || (Dim > 1 && face >= 1 - closed_face)) return 0;
   const double area_a = surface_area(p.grid, *a, i), area_b = surface_area(p.grid, *b, j);
   const double flow =

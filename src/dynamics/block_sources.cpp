@@ -30,84 +30,88 @@ void borrow_wall_values(const BodyBlock<Dim>& b, Work<Dim>& w) {
 
 // NOLINTBEGIN(readability-non-const-parameter): what depends on the dimension is written to
 
-/// Takes the widening of a cell off both r-columns of the gradient and the hoop stress off the radial force
-/// (theory: axisymmetry); the divergence keeps the raw r-weighted sums. `plane`: area of the fragment in the
-/// (r, z) plane. What is at rest (AtRest) has neither, as faces let nothing pass.
+/// Takes the widening of a cell off the r-columns of the gradient and the hoop stresses off the radial force
+/// (theory: axisymmetry); the divergence keeps the raw weighted sums. `u`: velocity for the widening;
+/// `hoop_area`: CutCell::hoop_area. What is at rest (AtRest) has neither, as faces let nothing pass.
 template <int Dim>
 [[gnu::always_inline]] inline void take_off_widening(const AtRest& rest, const double* value,
-                                                     std::size_t wide, double ur, double uz, double plane,
-                                                     double* gradient, double* rate, std::size_t n) {
+                                                     std::size_t wide, const std::array<double, Dim>& u,
+                                                     double hoop_area, double* gradient, double* rate,
+                                                     std::size_t n) {
   using C = Components<Dim>;
-  gradient[0] -= ur * plane;
-  gradient[Dim * n] -= (std::abs(uz) <= rest.speed ? 0.0 : uz) * plane;
-  const double hoop = -value[C::p * wide] - value[C::s * wide] - value[(C::s + 1) * wide];
-  rate[C::u * n] -= (std::abs(hoop) <= rest.stress ? 0.0 : hoop) * plane;
+  gradient[0] -= u[0] * hoop_area;
+  double hoop = -value[C::p * wide];
+  if constexpr (Dim == 2) {
+    gradient[Dim * n] -= (std::abs(u[1]) <= rest.speed ? 0.0 : u[1]) * hoop_area;
+    hoop = hoop - value[C::s * wide] - value[(C::s + 1) * wide];
+  } else {
+    hoop -= 0.5 * value[C::s * wide];
+  }
+  rate[C::u * n] -= (std::abs(hoop) <= rest.stress ? 0.0 : hoop) * hoop_area;
 }
 
-/// take_off_widening() of a row of cells.
+/// take_off_widening() of a row of cells; `radial`: velocities as Work::radial has them.
 template <int Dim>
 RECOIL_MULTIVERSION void take_off_widenings(const AtRest& at_rest, int count, const double* value,
-                                            std::size_t wide, const double* ur, const double* uz,
-                                            const double* plane, double* gradient, double* rate,
-                                            std::size_t n) {
+                                            std::size_t wide, const double* radial, const double* hoop_area,
+                                            double* gradient, double* rate, std::size_t n) {
   const AtRest rest = at_rest;
 #pragma GCC ivdep
-  for (int i = 0; i < count; ++i)
-    take_off_widening<Dim>(rest, value + i, wide, ur[i], uz[i], plane[i], gradient + i, rate + i, n);
+  for (int i = 0; i < count; ++i) {
+    std::array<double, Dim> u;
+    for_each_axis<Dim>([&](auto d) RECOIL_INLINE { u[d] = radial[d * n + static_cast<std::size_t>(i)]; });
+    take_off_widening<Dim>(rest, value + i, wide, u, hoop_area[i], gradient + i, rate + i, n);
+  }
 }
 
 /// A cut cell reads the velocity from its wall where its r-faces are not open.
 template <int Dim>
-void axisymmetric_cut(const AtRest& rest, const Wall<Dim>& wall, const CutCell<Dim>& cut, Work<Dim>& w) {
+void widen_cut(const AtRest& rest, const Wall<Dim>& wall, const CutCell<Dim>& cut, Work<Dim>& w) {
   using C = Components<Dim>;
   const Index<Dim> i = w.window.index_of(cut.cell);
   const int k = w.cells.at(i);
   const double* value = w.primitive + w.window.at(i);
-  const double dx = w.grid.dx;
-  double ur = value[C::u * w.wide], uz = value[(C::u + 1) * w.wide];
+  const double dx = w.grid.dx, area = w.grid.dx_power(Dim - 1);
   const auto wide_open = [&](int side) {
-    return cut.open[0][side] > 0.3 * w.grid.face_radius(i[0] + side) * dx;
+    return cut.open[0][side] > 0.3 * w.grid.face_weight(i[0] + side) * area;
   };
-  if ((i[0] == 0 || wide_open(0)) && wide_open(1)) {
-    ur = w.radial[k];
-    uz = w.radial[w.n + k];
-  } else if (wall.donors > 0) {
-    const Vec<Dim> r = (w.grid.centre(i) - cut.point) * (1 / dx) + cut.centroid;
-    ur = wall.value[C::u] + dot(wall.gradient[C::u], r);
-    uz = wall.value[C::u + 1] + dot(wall.gradient[C::u + 1], r);
-  }
-  take_off_widening<Dim>(rest, value, w.wide, ur, uz, cut.plane_area, w.gradient + k, w.rate + k, w.n);
+  const bool by_faces = (i[0] == 0 || wide_open(0)) && wide_open(1), by_wall = !by_faces && wall.donors > 0;
+  const Vec<Dim> r = (w.grid.centre(i) - cut.point) * (1 / dx) + cut.centroid;
+  std::array<double, Dim> u;
+  for (std::size_t d = 0; d < Dim; ++d)
+    u[d] = by_faces  ? w.radial[d * w.n + static_cast<std::size_t>(k)]
+           : by_wall ? wall.value[C::u + d] + dot(wall.gradient[C::u + d], r)
+                     : value[(C::u + d) * w.wide];
+  take_off_widening<Dim>(rest, value, w.wide, u, cut.hoop_area, w.gradient + k, w.rate + k, w.n);
 }
 
 /// Hoop terms of a block: whole cells row by row, then the cut ones.
 template <int Dim>
-void axisymmetric_sources(const AtRest& rest, const BodyBlock<Dim>& b, Work<Dim>& w) {
+void widening_sources(const AtRest& rest, const BodyBlock<Dim>& b, Work<Dim>& w) {
   using C = Components<Dim>;
   Box<Dim> rows = w.cells;
   rows.hi[0] = rows.lo[0] + 1;
   const int width = w.cells.extent(0);
-  const double area = w.grid.dx * w.grid.dx;
-  std::array<double, longest_row> plane;
+  std::array<double, longest_row> hoop_area;
   for_each(rows, [&](const Index<Dim>& r) {
     for (int from = 0; from < width; from += longest_row) {
       const int count = std::min(width - from, longest_row);
       const int at = w.window.at(r) + from;
       const int k = w.cells.at(r) + from, cell = w.window.cell(r) + from;
       const double* value = w.primitive + at;
-      double *ur = w.radial + k, *uz = w.radial + w.n + k;
-      if (r[0] + from == 0) *uz = value[(C::u + 1) * w.wide];  // the axis is no face to take a mean with
+      if (Dim == 2 && r[0] + from == 0)  // the axis is no face to take a mean with
+        w.radial[w.n + static_cast<std::size_t>(k)] = value[(C::u + 1) * w.wide];
       for (int i = 0; i < count; ++i) {
         const bool full = w.whole ? !w.role || (w.role[at + i] & regular) != 0
                                   : b.geometry.kind[cell + i] == CellKind::full;
-        plane[i] = full ? area : 0;
+        hoop_area[i] = full ? w.grid.hoop_area(r[0] + from + i) : 0;
       }
-      take_off_widenings<Dim>(rest, count, value, w.wide, ur, uz, plane.data(), w.gradient + k, w.rate + k,
-                              w.n);
+      take_off_widenings<Dim>(rest, count, value, w.wide, w.radial + k, hoop_area.data(), w.gradient + k,
+                              w.rate + k, w.n);
     }
   });
   if (w.whole) return;
-  for (std::size_t m = 0; m < b.geometry.cuts.size(); ++m)
-    axisymmetric_cut(rest, b.walls[m], b.geometry.cuts[m], w);
+  for (std::size_t m = 0; m < b.geometry.cuts.size(); ++m) widen_cut(rest, b.walls[m], b.geometry.cuts[m], w);
 }
 
 /// 2 G dev D + W S - S W of one cell, integrated over the fragment. L[(i * Dim + j) * n]: integral of
@@ -257,8 +261,8 @@ void add_sources(const Body<Dim>& body, int slot, Work<Dim>& w, Scratch& scratch
     for (std::size_t d = 0; d < Dim; ++d) sum += w.gradient[(d * Dim + d) * w.n + k];
     trace[k] = sum;
   }
-  if constexpr (Dim == 2)
-    if (w.grid.axisymmetric) axisymmetric_sources(AtRest(AnyEos{body.material.eos}), b, w);
+  if constexpr (Dim < 3)
+    if (w.grid.has_radius()) widening_sources(AtRest(AnyEos{body.material.eos}), b, w);
   if (!has_strength(body.material.strength)) return;
   Box<Dim> rows = w.cells;
   rows.hi[0] = rows.lo[0] + 1;

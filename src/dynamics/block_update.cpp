@@ -247,7 +247,7 @@ void update(const State<Dim>& state, const AnyEos& eos, Body<Dim>& body, int slo
   if (faces == FaceTime::midstep) detail::find_half_step(body, dt, w, scratch);
   w.rate = scratch.take<double>(w.n * C::contents);  // set by the sweeps, as the next two
   w.gradient = scratch.take<double>(w.n * Dim * Dim);
-  w.radial = scratch.take<double>(state.grid(slot).axisymmetric ? w.n * 2 : 1);
+  w.radial = scratch.take<double>(state.grid(slot).has_radius() ? w.n * Dim : 1);
   const double booked = weight * dt;
   detail::sweep<Dim, 0, Shear, Scheme>(eos, b.geometry, w, booked, edges, counters, scratch);
   if constexpr (Dim > 1)

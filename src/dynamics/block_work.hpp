@@ -44,7 +44,8 @@ struct Work {
   double* own = nullptr;       // likewise 1 where that is its own average, else 0
   double* rate = nullptr;      // [contents]
   double* gradient = nullptr;  // [i * Dim + j]: integral of du_i/dx_j
-  double* radial = nullptr;    // axisymmetric: mean over the two r-faces of the star velocities u_r, u_z
+  double* radial =
+      nullptr;  // mean over the two r-faces of the star velocities, where the domain has a radius
 
   /// Contents that flow: without damage all but that, which stands last.
   std::size_t carried() const { return carried_contents<Dim>(fails); }

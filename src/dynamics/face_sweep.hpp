@@ -189,8 +189,11 @@ void add_fluxes(const Faces<Dim>& in, Work<Dim>& w) {
     for (std::size_t d = 0; d < Dim; ++d) {
       const double* u = velocity + d * nf + f;
       set_difference(cell_width, high, u + next, low, u, w.gradient + (d * Dim + Axis) * w.n + k);
-      if (w.grid.axisymmetric && Axis == 0)
-        for (int i = 0; i < cell_width; ++i) w.radial[d * w.n + k + i] = 0.5 * (u[i] + u[i + next]);
+      if (w.grid.has_radius() && Axis == 0)
+        for (int i = 0; i < cell_width; ++i) {
+          const double low = Dim == 1 ? w.grid.low_face_part(r[0] + i) : 0.5;
+          w.radial[d * w.n + k + i] = low * u[i] + (1 - low) * u[i + next];
+        }
     }
   });
 }

@@ -160,7 +160,8 @@ void part_gradient(const Faces<Dim>& in, const PartedFace<Dim>& parted, Work<Dim
   const int k = w.cells.at(parted.face);
   for (int d = 0; d < Dim; ++d) {
     w.gradient[(d * Dim + Axis) * w.n + k] -= in.area[parted.at] * parted.velocity[d];
-    if (w.grid.axisymmetric && Axis == 0) w.radial[d * w.n + k] += 0.5 * parted.velocity[d];
+    if (w.grid.has_radius() && Axis == 0)
+      w.radial[d * w.n + k] += w.grid.low_face_part(parted.face[0]) * parted.velocity[d];
   }
 }
 

@@ -17,6 +17,12 @@ RunUnits run_units(config::Geometry geometry) {
       u.mass = "kg/m2", u.momentum = "kg/(m s)", u.energy = "J/m2", u.volume = "m", u.force = "N/m2",
       u.area = "1";
       break;
+    case spherical:
+      u.axes = {"r"};
+      u.balanced = {false};
+      u.stresses = {"rr", "tt", "pp"};
+      u.whole = 4 * std::numbers::pi;
+      break;
     case planar:
       u.axes = {"x", "y"};
       u.balanced = {true, true};

@@ -170,14 +170,14 @@ BarReading read_bar(const Grid<Dim>& grid, BarWatch& bar, std::span<const double
   if (!std::isfinite(highest))
     return {nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere};
   r.length = bar.foot_low ? total[at.axis_highest] - lowest : highest + total[at.minus_axis_lowest];
-  r.volume_radius = grid.axisymmetric ? 0 : nowhere;
+  r.volume_radius = grid.has_radius() ? 0 : nowhere;
   const auto place = [&](std::size_t row) {
     return grid.origin[axis<Dim>] + (static_cast<double>(row) + 0.5) * grid.dx;
   };
   for (std::size_t k = 0; k < at.rows; ++k) {
     r.radius = std::max(r.radius, total[at.radius + k]);
     // A full row of radius R holds R^2/2 dx per radian.
-    if (grid.axisymmetric)
+    if (grid.has_radius())
       r.volume_radius =
           std::max(r.volume_radius, std::sqrt(2 * std::max(total[at.volume + k], 0.0) / grid.dx));
   }

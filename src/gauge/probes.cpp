@@ -115,7 +115,7 @@ void probe_surface(const State<Dim>& state, const SurfacePoint<Dim>& point, int 
       if (!within_reach(at, point.at, dx)) continue;
       const Box<Dim> cells = state.mesh.block(slot).cells;
       const Index<Dim> i = cells.lo + state.grid().layout().index(cut.cell);
-      const double area = norm(cut.surface) / (state.grid().dx_power(Dim - 1) * state.grid().radius(i[0]));
+      const double area = norm(cut.surface) / (state.grid().dx_power(Dim - 1) * state.grid().weight(i[0]));
       const Piece<Dim> own{at, wall.mean_velocity, wall.normal};
       for_images(state.grid(), point.at, own, [&](const Piece<Dim>& piece) {
         if (!within_reach(piece.at, point.at, dx)) return;

@@ -243,9 +243,9 @@ void move_fit(const EosModel& eos, const Grid<Dim>& grid, const Body<Dim>& body,
     const auto along = rate_along<Dim, d>(w, slope[d], w[C::u + d], m);
     for (std::size_t c = 0; c < w.size(); ++c) rate[c] += along[c];
   });
-  if constexpr (Dim == 2)
-    if (grid.axisymmetric && cut.point[0] > grid.dx)
-      add_widening(w, w[C::u] / cut.point[0], 1 / cut.point[0], m, rate);
+  if constexpr (Dim < 3)
+    if (grid.has_radius() && cut.point[0] > grid.dx)
+      add_widening<Dim>(w, w[C::u] / cut.point[0], 1 / cut.point[0], m, rate);
   for (std::size_t c = 0; c < w.size(); ++c) wall.value[c] += time * rate[c];
   if (m.loading > 0) keep_at_yield<Dim>(w, w, wall.value);
 }

@@ -53,7 +53,7 @@ struct Cluster {
   std::array<Side<Dim>, most_bodies> side;
   std::size_t count = 0;
   Index<Dim> cell;  // global
-  double face = 0;  // dx^(Dim-1), r-weighted in an axisymmetric domain
+  double face = 0;  // dx^(Dim-1), weighted as volumes are
   double fill = 0;  // of the cell, by all bodies that can be deformed
 
   void add(const Side<Dim>& s) { side[count++] = s; }
@@ -86,7 +86,7 @@ double shared_area(const BlockStage<Dim>& a, const Side<Dim>& first, const Side<
     const Grid<Dim>& grid = a.state().grid();
     e = -rigid_normal(grid, *a.view.body(second.body).rigid, a.view.pose[second.body], first.cut->point);
     const double own = dot(first.rest, e);
-    return grid.axisymmetric ? own : std::min(own, norm(second.cut->surface) * rigid_slack);
+    return grid.has_radius() ? own : std::min(own, norm(second.cut->surface) * rigid_slack);
   }
   if (norm(first.rest - second.rest) < no_direction * a.area) return 0;
   e = direction_between(a.view, {first.body, first.rest}, {second.body, second.rest}, i);
@@ -345,7 +345,7 @@ void find_all(const BlockStage<Dim>& a) {
     for (const CutCell<Dim>& cut : body.at(slot).geometry.cuts) {
       if (!gather_sides(state, slot, m, cut.cell, c)) continue;
       c.cell = a.view.window.index_of(cut.cell);
-      c.face = a.area * state.grid().radius(c.cell[0]);
+      c.face = a.area * state.grid().weight(c.cell[0]);
       c.fill /= state.grid().full_volume(c.cell);
       if (c.count > 1) touch_all(a, c);
       for (std::size_t k = 0; k < c.count; ++k)

@@ -110,7 +110,7 @@ WallsInView<Dim> walls_in_view(const Grid<Dim>& grid, const Body<Dim>& body, con
     const auto at = static_cast<std::size_t>(home.geometry.index[from.cell]);
     const CutCell<Dim>& cut = home.geometry.cuts[at];
     const Vec<Dim> point = w.appear(i, from, cut.point), &velocity = home.walls[at].mean_velocity;
-    walls.share[m] = norm(cut.surface) * per_area / grid.radius(i[0]) + least_share;
+    walls.share[m] = norm(cut.surface) * per_area / grid.weight(i[0]) + least_share;
     for (int d = 0; d < Dim; ++d) {
       walls.point[d][m] = point[d];
       walls.velocity[m][d] = (from.flips >> d & 1U) != 0 ? -velocity[d] : velocity[d];

@@ -11,8 +11,9 @@ namespace recoil {
 /// What lies beyond an edge of the domain. `reflect` is a plane of symmetry, a rigid slip wall or the axis.
 enum class Edge : unsigned char { outflow, reflect, periodic };
 
-/// The Cartesian cells of one level of the domain and how they are cut into blocks. Axisymmetry is data:
-/// areas and volumes are per radian, weighted with r (axis 0), and the metric functions below know it.
+/// The Cartesian cells of one level of the domain and how they are cut into blocks. Symmetry about an axis or
+/// a centre is data: areas and volumes are per radian or per steradian, weighted with r (axis 0) or its
+/// square, and the metric functions below know it.
 template <int Dim>
 struct Grid {
   Vec<Dim> origin;                              // m, low corner of cell 0
@@ -20,7 +21,10 @@ struct Grid {
   Index<Dim> cells{};                           // of the domain
   Index<Dim> block{};                           // cells of a whole block; the last one may be cut short
   std::array<std::array<Edge, 2>, Dim> edge{};  // [axis][low, high]
-  bool axisymmetric = false;
+  int radial_power = 0;  // of r in areas: 1 axisymmetric (2-D), 2 spherical (1-D), else 0
+
+  /// Whether axis 0 is a radius, from an axis or a centre at 0.
+  bool has_radius() const { return radial_power > 0; }
 
   /// The cells of a level: 2^level times as wide. @pre the domain holds whole ones.
   Grid at_level(int level) const {
@@ -67,19 +71,35 @@ struct Grid {
     for (int d = 0; d < n; ++d) p *= dx;
     return p;
   }
-  /// |r| at the centre of a cell of column i (1 where not axisymmetric); at least dx / 2.
-  double radius(int i) const {
-    if (!axisymmetric) return 1;
+  /// Mean of |r|^radial_power over a cell of column i; axisymmetric at least dx / 2.
+  double weight(int i) const {
+    if (radial_power == 0) return 1;
     const double r = std::abs(origin[0] + (i + 0.5) * dx);
+    if (radial_power == 2) return r * r + dx * dx / 12;
     return r > 0.5 * dx ? r : 0.5 * dx;
   }
-  /// |r| at the low face of column i (1 where not axisymmetric).
-  double face_radius(int i) const { return axisymmetric ? std::abs(origin[0] + i * dx) : 1; }
-  /// Volume of a whole cell [m^Dim, axisymmetric m^3 per radian].
-  double full_volume(const Index<Dim>& i) const { return radius(i[0]) * dx_power(Dim); }
-  /// Area of the whole low face of cell i across axis d [m^(Dim-1), axisymmetric m^2 per radian].
+  /// |r|^radial_power at the low face of column i.
+  double face_weight(int i) const { return weight_at(origin[0] + i * dx); }
+  /// |r|^radial_power.
+  double weight_at(double r) const {
+    if (radial_power == 0) return 1;
+    return radial_power == 2 ? r * r : std::abs(r);
+  }
+  /// Integral of radial_power r^(radial_power - 1) over a cell: what hoop stresses act on, twice in a sphere.
+  double hoop_area(int i) const {
+    if (radial_power == 0) return 0;
+    return radial_power == 2 ? 2 * std::abs(origin[0] + (i + 0.5) * dx) * dx : dx * dx;
+  }
+  /// Part that the velocity at the low face has in the mean over hoop_area, if the velocity is linear between
+  /// faces.
+  double low_face_part(int i) const {
+    return radial_power == 2 ? 0.5 - dx / (12 * std::abs(origin[0] + (i + 0.5) * dx)) : 0.5;
+  }
+  /// Volume of a whole cell [m^Dim; m^3 per radian where axisymmetric, per steradian where spherical].
+  double full_volume(const Index<Dim>& i) const { return weight(i[0]) * dx_power(Dim); }
+  /// Area of the whole low face of cell i across axis d [m^(Dim-1); m^2 per radian or steradian].
   double full_area(const Index<Dim>& i, int d) const {
-    return (d == 0 ? face_radius(i[0]) : radius(i[0])) * dx_power(Dim - 1);
+    return (d == 0 ? face_weight(i[0]) : weight(i[0])) * dx_power(Dim - 1);
   }
 };
 

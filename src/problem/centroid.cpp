@@ -81,13 +81,13 @@ Corners<Dim> tightened(const Distance<Dim>& distance, Corners<Dim> box) {
 }  // namespace
 
 template <int Dim>
-Vec<Dim> centroid(const Distance<Dim>& distance, const Vec<Dim>& lo, const Vec<Dim>& hi, bool axisymmetric) {
+Vec<Dim> centroid(const Distance<Dim>& distance, const Vec<Dim>& lo, const Vec<Dim>& hi, bool has_radius) {
   const Corners<Dim> box = tightened(distance, Corners<Dim>{lo, hi});
   double volume = 0;
   Vec<Dim> moment;
   auto add = [&](const Corners<Dim>& part, double inside) {
     const Vec<Dim> x = part.middle();
-    double own = inside * (axisymmetric ? std::abs(x[0]) : 1);
+    double own = inside * (has_radius ? std::abs(x[0]) : 1);
     for (int d = 0; d < Dim; ++d) own *= part.hi[d] - part.lo[d];
     volume += own;
     moment += own * (x - box.middle());
@@ -95,7 +95,7 @@ Vec<Dim> centroid(const Distance<Dim>& distance, const Vec<Dim>& lo, const Vec<D
   halve(distance, box, part_of(box, halvings(Dim)), add);
   Vec<Dim> at = box.middle();
   if (volume > 0) at += (1 / volume) * moment;
-  if (axisymmetric) at[0] = 0;
+  if (has_radius) at[0] = 0;
   return at;
 }
 

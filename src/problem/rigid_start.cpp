@@ -54,7 +54,7 @@ Vec<Dim> middle_of(const config::Body& body, const config::Domain& domain, const
     lo[d] = std::clamp(bounds.lo[e], domain.lo[e] - m.period[d], domain.hi[e] + m.period[d]);
     hi[d] = std::clamp(bounds.hi[e], domain.lo[e] - m.period[d], domain.hi[e] + m.period[d]);
   }
-  return centroid(m.distance, lo, hi, domain.geometry == config::Geometry::axisymmetric);
+  return centroid(m.distance, lo, hi, config::radial_power(domain.geometry) > 0);
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ RigidMotion<Dim> rigid_motion(const config::Body& body, const config::Case& c, c
   if (!(body.mass > 0)) return m;
   Vec<3> inertia;
   for (int d = 0; d < 3; ++d) inertia[d] = body.inertia[static_cast<std::size_t>(d)];
-  set_free(m, body.mass / (grid.axisymmetric ? 2 * std::numbers::pi : 1), inertia);
+  set_free(m, body.mass / (grid.has_radius() ? 2 * std::numbers::pi : 1), inertia);
   return m;
 }
 

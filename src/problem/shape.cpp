@@ -18,15 +18,16 @@ using Distance = std::function<double(const Vec<Dim>&)>;
 /// A cell is decided where the surface is farther than its corners; else it is halved, down to 1/64.
 template <int Dim>
 double refine(const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& centre, double width,
-              int depth, bool axisymmetric) {
-  const double s = distance(centre), weight = axisymmetric ? std::abs(centre[0]) : 1;
+              int depth, int radial_power) {
+  const double s = distance(centre), r = std::abs(centre[0]);
+  const double weight = radial_power == 0 ? 1 : radial_power == 1 ? r : r * r + width * width / 12;
   if (std::abs(s) >= 0.5 * width * std::sqrt(static_cast<double>(Dim))) return s < 0 ? weight : 0;
   if (depth == 0) return weight * std::clamp(0.5 - s / width, 0.0, 1.0);
   double sum = 0;
   for (int c = 0; c < 1 << Dim; ++c) {
     Vec<Dim> x = centre;
     for (int d = 0; d < Dim; ++d) x[d] += ((c >> d & 1) != 0 ? 0.25 : -0.25) * width;
-    sum += refine(distance, x, 0.5 * width, depth - 1, axisymmetric);
+    sum += refine(distance, x, 0.5 * width, depth - 1, radial_power);
   }
   return sum / (1 << Dim);
 }
@@ -161,8 +162,8 @@ std::function<Vec<Dim>(const Vec<Dim>&)> within_shape(const config::Shape& shape
 
 template <int Dim>
 double inside_part(const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& centre, double dx,
-                   bool axisymmetric) {
-  return refine(distance, centre, dx, Dim == 3 ? 4 : 6, axisymmetric);
+                   int radial_power) {
+  return refine(distance, centre, dx, Dim == 3 ? 4 : 6, radial_power);
 }
 
 #define RECOIL_INSTANTIATE(Dim)                                                                            \
@@ -172,7 +173,7 @@ double inside_part(const std::function<double(const Vec<Dim>&)>& distance, const
   template std::function<Vec<Dim>(const Vec<Dim>&)> within_shape<Dim>(const config::Shape&,                \
                                                                       const config::Domain&);              \
   template double inside_part<Dim>(const std::function<double(const Vec<Dim>&)>&, const Vec<Dim>&, double, \
-                                   bool);
+                                   int);
 RECOIL_INSTANTIATE(1)
 RECOIL_INSTANTIATE(2)
 RECOIL_INSTANTIATE(3)

@@ -38,10 +38,10 @@ template <int Dim>
 std::function<Vec<Dim>(const Vec<Dim>&)> within_shape(const config::Shape& shape,
                                                       const config::Domain& domain);
 
-/// Part of a cell of width dx about `centre` that lies inside, weighted with |r| where axisymmetric:
-/// integral of (1 or r) over the inside, divided by dx^Dim [1 or m]. Fine sub-sampling near the surface.
+/// Part of a cell of width dx about `centre` that lies inside, weighted with |r|^radial_power: integral over
+/// the inside, divided by dx^Dim [m^radial_power]. Fine sub-sampling near the surface.
 template <int Dim>
 double inside_part(const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& centre, double dx,
-                   bool axisymmetric);
+                   int radial_power);
 
 }  // namespace recoil

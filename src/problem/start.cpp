@@ -54,7 +54,7 @@ void fill_block(const Grid<Dim>& grid, const Box<Dim>& cells,
     double v = b.phi[k] < -1.8 * grid.dx ? full
                : b.phi[k] > 1.8 * grid.dx
                    ? 0
-                   : inside_part(distance, x, grid.dx, grid.axisymmetric) * grid.dx_power(Dim);
+                   : inside_part(distance, x, grid.dx, grid.radial_power) * grid.dx_power(Dim);
     if (std::abs(v - full) < 1e-12 * full) v = full;
     if (v < 1e-12 * full) v = 0;
     if (v == 0) return;
@@ -194,7 +194,7 @@ template <int Dim>
 Grid<Dim> make_grid(const config::Case& c) {
   Grid<Dim> g;
   g.dx = c.mesh.finest;
-  g.axisymmetric = c.domain.geometry == config::Geometry::axisymmetric;
+  g.radial_power = config::radial_power(c.domain.geometry);
   const std::vector<std::string> axes = config::axes_of(c.domain.geometry);
   for (int d = 0; d < Dim; ++d) {
     const auto e = static_cast<std::size_t>(d);

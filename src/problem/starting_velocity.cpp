@@ -17,7 +17,7 @@ using config::first_components;
 
 /// Velocity at the start of a body at x away from its centre or the axis [m/s].
 template <int Dim>
-Vec<Dim> radial_velocity_at(const config::Body& body, const Vec<Dim>& x, bool axisymmetric) {
+Vec<Dim> radial_velocity_at(const config::Body& body, const Vec<Dim>& x, config::Geometry geometry) {
   Vec<Dim> away = x - first_components<Dim>(body.radial_centre);
   if (body.radial_from_axis) {
     away = {};
@@ -27,7 +27,9 @@ Vec<Dim> radial_velocity_at(const config::Body& body, const Vec<Dim>& x, bool ax
   if (distance == 0) return {};
   double speed = body.radial_velocity;
   if (body.radial_falls_from > 0 && distance > body.radial_falls_from) {
-    const bool about_a_point = Dim == 3 || (axisymmetric && !body.radial_from_axis);
+    using enum config::Geometry;
+    const bool about_a_point =
+        geometry == space || geometry == spherical || (geometry == axisymmetric && !body.radial_from_axis);
     speed *= std::pow(body.radial_falls_from / distance, about_a_point ? 2 : 1);
   }
   return (speed / distance) * away;
@@ -35,7 +37,7 @@ Vec<Dim> radial_velocity_at(const config::Body& body, const Vec<Dim>& x, bool ax
 
 /// Velocity at the start of a body at x [m/s], but that of its formulas.
 template <int Dim>
-Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x, bool axisymmetric) {
+Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x, config::Geometry geometry) {
   Vec<Dim> u = first_components<Dim>(body.velocity);
   if constexpr (Dim > 1) {
     const Vec<Dim> r = x - first_components<Dim>(body.spin_centre);
@@ -47,7 +49,7 @@ Vec<Dim> velocity_at(const config::Body& body, const Vec<Dim>& x, bool axisymmet
       u[2] += body.spin[0] * r[1] - body.spin[1] * r[0];
     }
   }
-  if (body.radial_velocity != 0) u += radial_velocity_at(body, x, axisymmetric);
+  if (body.radial_velocity != 0) u += radial_velocity_at(body, x, geometry);
   return u;
 }
 
@@ -118,13 +120,13 @@ Field<Dim> field_of(const config::Body& body, const config::Domain& domain, doub
 
 template <int Dim>
 Field<Dim> starting_velocity(const config::Body& body, const config::Domain& domain, double dx) {
-  const bool axisymmetric = domain.geometry == config::Geometry::axisymmetric;
   const Field<Dim> field = field_of<Dim>(body, domain, dx);
   if (body.spin == config::Vector{} && body.radial_velocity == 0 && !field)
     return [u = first_components<Dim>(body.velocity)](const Vec<Dim>&) { return u; };
-  return [body, field, axisymmetric, own_place = within_shape<Dim>(body.shape, domain)](const Vec<Dim>& x) {
+  return [body, field, geometry = domain.geometry,
+          own_place = within_shape<Dim>(body.shape, domain)](const Vec<Dim>& x) {
     const Vec<Dim> own = own_place(x);
-    const Vec<Dim> u = velocity_at(body, own, axisymmetric);
+    const Vec<Dim> u = velocity_at(body, own, geometry);
     return field ? u + field(own) : u;
   };
 }

@@ -223,7 +223,7 @@ struct EventWatch::Parts {
   }
 
   /// Whether a body that moved towards its partner now moves away from it, along the impulse. Of a body cut
-  /// by a plane of symmetry only half is there, and momentum off the axis of an axisymmetric domain has no
+  /// by a plane of symmetry only half is there, and momentum along a radius has no
   /// direction, so such an axis does not count.
   void look_for_ricochet(const Watched& w, int side) {
     Three n = w.impulse_parted;  // on the first body: away from the second
@@ -257,7 +257,7 @@ EventWatch::EventWatch(std::vector<std::string> names, config::Geometry geometry
   p.stand_off = rule.stand_off;
   p.gap_at = rule.gap_at;
   p.sided = sided;
-  if (geometry == config::Geometry::axisymmetric) p.sided[0] = true;
+  if (config::has_radius(geometry)) p.sided[0] = true;
   const std::size_t n = p.names.size();
   require(rule.hold.size() == n * (n - 1) / 2, "a hold time for every pair");
   for (std::size_t a = 0; a < n; ++a)

@@ -12,7 +12,7 @@ namespace recoil {
 enum class CellKind : std::uint8_t { empty, full, cut };
 
 /// The geometry of a cell that the surface of a body cuts, from the level set. Areas [m^(Dim-1)] and volumes
-/// [m^Dim] are per radian and r-weighted in an axisymmetric domain.
+/// [m^Dim] are weighted with r where the domain is axisymmetric, with its square where spherical.
 template <int Dim>
 struct CutCell {
   int cell = 0;                                   // in the layout of its block
@@ -20,12 +20,12 @@ struct CutCell {
   std::array<std::array<double, 2>, Dim> open{};  // open area of the [low, high] face across each axis
   // Middle of the open part of the [low, high] face across each axis, from the middle of the face, in dx.
   std::array<std::array<Vec<Dim>, 2>, Dim> open_middle{};
-  double plane_area = 0;  // area of the fragment in the r-z plane; 0 if not axisymmetric
-  double volume = 0;      // V_phi
-  Vec<Dim> centroid;      // of the fragment, from the cell's centre, in dx
-  Vec<Dim> surface;       // area vector A_I of the surface, out of the body, by closure
-  Vec<Dim> point;         // x_I [m], the middle of the surface in the cell
-  double mismatch = 0;    // (V - V_phi)/A_I [m], how far phi lags behind V
+  double hoop_area = 0;  // of the fragment, as Grid::hoop_area
+  double volume = 0;     // V_phi
+  Vec<Dim> centroid;     // of the fragment, from the cell's centre, in dx
+  Vec<Dim> surface;      // area vector A_I of the surface, out of the body, by closure
+  Vec<Dim> point;        // x_I [m], the middle of the surface in the cell
+  double mismatch = 0;   // (V - V_phi)/A_I [m], how far phi lags behind V
 };
 
 /// The kinds of all cells of a block, for one body, and the list of those that are cut.

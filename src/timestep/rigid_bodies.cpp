@@ -86,7 +86,7 @@ void move_rigid_bodies(State<Dim>& state, const parallel::World& world, double d
   const std::vector<Given<Dim>> given = given_to(state, world, free);
   for (std::size_t k = 0; k < free.size(); ++k) {
     Vec<Dim> impulse = given[k].impulse();
-    if (state.grid().axisymmetric) impulse[0] = 0;  // what lies on the axis moves along it
+    if (state.grid().has_radius()) impulse[0] = 0;  // what lies on the axis moves along it
     move_rigid(*state.bodies[free[k]].rigid, dt, impulse, given[k].moment(), given[k].work());
   }
 }

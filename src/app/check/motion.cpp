@@ -103,9 +103,7 @@ bool may_come_back(const config::Domain& domain, const Body& a, const Body& b) {
   };
   for (int d = 0; d < config::dimension(domain.geometry); ++d)
     for (const config::Boundary end : domain.boundary[d])
-      if ((end == config::Boundary::periodic || end == config::Boundary::symmetry) &&
-          !(only_goes_along(a, d) && only_goes_along(b, d)))
-        return true;
+      if (end != config::Boundary::outflow && !(only_goes_along(a, d) && only_goes_along(b, d))) return true;
   return false;
 }
 
@@ -127,10 +125,11 @@ void check_parting(LoadedCase& loaded, const std::vector<Approach>& all) {
   }
 }
 
-/// Whether a body of an axisymmetric case has matter in the cells at the axis.
+/// Whether a body has matter in the cells at the axis, or in the one at the centre.
 bool reaches_axis(const Body& b, const Case& c) {
   const double dx = c.mesh.finest;
-  if (c.domain.geometry != config::Geometry::axisymmetric || c.domain.lo[0] > 0) return false;
+  if (!config::has_radius(c.domain.geometry) || c.domain.lo[0] > 0) return false;
+  if (c.domain.geometry == config::Geometry::spherical) return distance_of(b, {0.5 * dx, 0, 0}, c.domain) < 0;
   for (double z = c.domain.lo[1] + 0.5 * dx; z < c.domain.hi[1]; z += dx)
     if (distance_of(b, {0.5 * dx, z, 0}, c.domain) < 0) return true;
   return false;
@@ -142,9 +141,10 @@ void check_axis(LoadedCase& loaded) {
     if (!b.rigid && !b.takes_up_fragments() && b.velocity[0] != 0 && reaches_axis(b, loaded.contents))
       loaded.found.warning(
           place_of(loaded, "body." + b.name + ".velocity", b.place),
-          fmt::format("'{}' reaches the axis, where matter cannot move along r: its velocity {} it", b.name,
+          fmt::format("'{}' reaches the {}, where matter cannot move along r: its velocity {} it", b.name,
+                      config::dimension(loaded.contents.domain.geometry) == 1 ? "centre" : "axis",
                       b.velocity[0] > 0 ? "tears a hole into" : "presses together"),
-          "velocity-field = { r = \"100*m/s * r/(4*mm)\" } grows from 0 at the axis");
+          "velocity-field = { r = \"100*m/s * r/(4*mm)\" } grows from 0");
 }
 
 /// Points that light nothing, or only after the end of the run.

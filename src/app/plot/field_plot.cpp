@@ -59,7 +59,7 @@ int plot_field_over_time(const PlotOptions& given) {
   const config::Case& c = run.contents;
   PlotOptions o = given;
   o.round_off = round_off_of(run);
-  if (c.domain.geometry != config::Geometry::line)
+  if (config::dimension(c.domain.geometry) != 1)
     throw InputError("--xt needs a 1d run\n   = help: omit it; --at chooses the time of a picture");
   const std::vector<ChosenDump> dumps = all_dumps(o.folder);
   if (dumps.size() < 3)

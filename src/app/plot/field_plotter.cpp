@@ -181,7 +181,7 @@ FieldPlotter::FieldPlotter(const PlotOptions& o, const LoadedCase& run)
     throw InputError("a line of three coordinates needs a 3d run\n   = help: --along 0mm,1mm:9mm,1mm");
   if (is_line_in_space(o.along) && !(o.window.empty() && o.slice.empty()))
     throw InputError("a line of three coordinates lies in no plane\n   = help: omit --slice and --window");
-  is_line_ = case_.domain.geometry == config::Geometry::line;
+  is_line_ = config::dimension(case_.domain.geometry) == 1;
   if (is_line_ && !(o.window.empty() && o.outline.empty() && o.along.empty()))
     throw InputError(
         "--window, --outline and --along need a field in the plane\n   = help: omit them for a 1d run");

@@ -32,7 +32,7 @@ namespace {
 constexpr const char* terminal_mark = "RECOIL_TERMINAL";
 
 int default_threads(const config::Case& c, int ranks) {
-  if (c.domain.geometry == config::Geometry::line) return 1;
+  if (config::dimension(c.domain.geometry) == 1) return 1;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / ranks);
 }
 

@@ -110,9 +110,9 @@ struct Entry {
   const char* doc = "";
   const char* example = "";
   std::vector<std::string> choices = {};
-  std::vector<Geometry> only_in = {};       // empty: in every geometry
-  std::array<const char*, 4> unit_in = {};  // SI, by geometry, where it differs
-  bool (*when)(const T&) = nullptr;         // where it does not apply, it is not written
+  std::vector<Geometry> only_in = {};                           // empty: in every geometry
+  std::array<const char*, geometry_names.size()> unit_in = {};  // SI, by geometry, where it differs
+  bool (*when)(const T&) = nullptr;                             // where it does not apply, it is not written
 };
 
 template <class T>

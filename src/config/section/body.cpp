@@ -120,7 +120,7 @@ void check_radial(Body& body, const TableReading& reading) {
   if (reading.has("radial-falls-from") && !speed)
     reading.refuse("radial-falls-from", "'radial-falls-from' needs 'radial-velocity'",
                    "e.g. radial-velocity = \"100 m/s\"");
-  body.radial_from_axis = speed && !centre && reading.in.geometry == Geometry::axisymmetric;
+  body.radial_from_axis = speed && !centre && has_radius(reading.in.geometry);
   if (speed && !centre && !body.radial_from_axis)
     reading.refuse("radial-velocity",
                    "'radial-velocity' needs 'radial-centre', the point that the body flies away from",
@@ -147,7 +147,9 @@ bool has_start(const Body& b) { return !b.takes_up_fragments(); }
 /// The geometries in which bodies turn.
 std::vector<Geometry> turning() { return {Geometry::planar, Geometry::space}; }
 
-std::vector<Geometry> beyond_1d() { return {Geometry::planar, Geometry::axisymmetric, Geometry::space}; }
+std::vector<Geometry> beyond_1d() {
+  return {Geometry::spherical, Geometry::planar, Geometry::axisymmetric, Geometry::space};
+}
 
 /// What the body is made of: a material, or a mass.
 Entries<Body> keys_of_matter() {
@@ -168,7 +170,8 @@ Entries<Body> keys_of_matter() {
            .optional = true,
            .doc = "of a rigid body that its contacts push (planar: per depth, kg/m; 1d: per area, kg/m2)",
            .example = R"("0.2 kg")",
-           .unit_in = {"kg/m2", "kg/m", "kg", "kg"}},
+           .only_in = {Geometry::line, Geometry::planar, Geometry::axisymmetric, Geometry::space},
+           .unit_in = {"kg/m2", "kg", "kg/m", "kg", "kg"}},
           {.name = "inertia",
            .member = &Body::inertia,
            .unit = "kg m2",
@@ -179,7 +182,7 @@ Entries<Body> keys_of_matter() {
                   "does not turn",
            .example = R"({ x = "2 kg m2", y = "2 kg m2", z = "1 kg m2" })",
            .only_in = turning(),
-           .unit_in = {nullptr, "kg m", nullptr, nullptr}},
+           .unit_in = {nullptr, nullptr, "kg m", nullptr, nullptr}},
           {.name = "centre-of-mass",
            .member = &Body::centre_of_mass,
            .unit = "m",
@@ -195,7 +198,7 @@ Entries<Body> keys_of_radial_motion() {
        .member = &Body::radial_velocity,
        .unit = "m/s",
        .optional = true,
-       .doc = "at the start, away from radial-centre; axisymmetric without it: away from the axis",
+       .doc = "at the start, away from radial-centre; without it away from r = 0 (axisymmetric, spherical)",
        .example = R"("100 m/s")"},
       {.name = "radial-centre",
        .member = &Body::radial_centre,
@@ -210,7 +213,8 @@ Entries<Body> keys_of_radial_motion() {
        .optional = true,
        .doc =
            "the distance from which radial-velocity falls as in matter of constant density: with the inverse "
-           "of the distance (planar, from the axis) or of its square (3d, axisymmetric from a centre); "
+           "of the distance (planar, from the axis) or of its square (3d, spherical, axisymmetric from a "
+           "centre); "
            "without it, it is the same everywhere",
        .example = R"("80 mm")",
        .only_in = beyond_1d(),

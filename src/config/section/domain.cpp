@@ -70,34 +70,38 @@ Entries<Boundaries> Boundaries::keys() {
   using enum Geometry;
   return {ends("x", "ends of x; without it outflow", {line, planar, space}),
           ends("y", "ends of y; without it outflow", {planar, space}),
-          ends("r", "ends of r; without it outflow, and axis where r starts at 0", {axisymmetric}),
+          ends("r", "ends of r; without it outflow, and axis where r starts at 0", {axisymmetric, spherical}),
           ends("z", "ends of z; without it outflow", {axisymmetric, space})};
 }
 
 Entries<Domain> Domain::keys() {
   const auto extent = extent_along<Domain>;
-  return {{.name = "geometry",
-           .member = choice_of<&Domain::geometry>(),
-           .required = true,
-           .doc = "1d (uniaxial strain), planar (plane strain), axisymmetric (r, z) or 3d",
-           .example = R"("axisymmetric")",
-           .choices = {geometry_names.begin(), geometry_names.end()}},
-          extent("x", "extent along x: 1d, planar, 3d"),
-          extent("y", "extent along y: planar, 3d"),
-          extent("r", "extent along the radius: axisymmetric"),
-          extent("z", "extent along z: axisymmetric, 3d"),
-          {.name = "boundary", .member = part_of<&Domain::boundary>(), .doc = "what lies beyond the edges"}};
+  return {
+      {.name = "geometry",
+       .member = choice_of<&Domain::geometry>(),
+       .required = true,
+       .doc = "1d (uniaxial strain), spherical (r alone), planar (plane strain), axisymmetric (r, z) or 3d",
+       .example = R"("axisymmetric")",
+       .choices = {geometry_names.begin(), geometry_names.end()}},
+      extent("x", "extent along x: 1d, planar, 3d"),
+      extent("y", "extent along y: planar, 3d"),
+      extent("r", "extent along the radius: axisymmetric, spherical"),
+      extent("z", "extent along z: axisymmetric, 3d"),
+      {.name = "boundary", .member = part_of<&Domain::boundary>(), .doc = "what lies beyond the edges"}};
 }
 
 void Domain::check(const TableReading& reading) const {
-  if (reading.in.geometry == Geometry::axisymmetric && lo[0] < 0)
-    reading.wrong("r", "r begins below 0", "an axisymmetric domain begins at the axis: r = [\"0 mm\", ...]");
+  if (has_radius(reading.in.geometry) && lo[0] < 0)
+    reading.wrong("r", "r begins below 0",
+                  reading.in.geometry == Geometry::spherical
+                      ? "a spherical domain begins at the centre: r = [\"0 mm\", ...]"
+                      : "an axisymmetric domain begins at the axis: r = [\"0 mm\", ...]");
 }
 
 Geometry geometry_of(const Node& domain) {
   const Node* named = domain.find("geometry");
-  for (const Geometry g : {Geometry::line, Geometry::planar, Geometry::axisymmetric, Geometry::space})
-    if (named && named->is_text() && named->text == name_of(g)) return g;
+  for (std::size_t g = 0; g < geometry_names.size(); ++g)
+    if (named && named->is_text() && named->text == geometry_names[g]) return static_cast<Geometry>(g);
   if (domain.find("r")) return Geometry::axisymmetric;
   if (domain.find("z")) return Geometry::space;
   return domain.find("y") ? Geometry::planar : Geometry::line;

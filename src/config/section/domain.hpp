@@ -8,7 +8,7 @@
 
 namespace recoil::config {
 
-/// axis: r = 0 of an axisymmetric domain (same as symmetry, chosen by itself).
+/// axis: r = 0 of an axisymmetric or spherical domain (same as symmetry, chosen by itself).
 enum class Boundary { outflow, symmetry, periodic, axis };
 
 /// What lies beyond the edges: [axis][low, high].

@@ -17,7 +17,7 @@ Entries<Region> Region::keys() {
                                  extent("z", "from, to")};
   all[0].only_in = {line, planar, space};
   all[1].only_in = {planar, space};
-  all[2].only_in = {axisymmetric};
+  all[2].only_in = {axisymmetric, spherical};
   all[3].only_in = {axisymmetric, space};
   return all;
 }

@@ -33,7 +33,8 @@ Entries<VelocityField> VelocityField::keys() {
                                 .only_in = std::move(only_in)};
   };
   return {key("x", &VelocityField::x, {line, planar, space}), key("y", &VelocityField::y, {planar, space}),
-          key("r", &VelocityField::r, {axisymmetric}), key("z", &VelocityField::z, {axisymmetric, space})};
+          key("r", &VelocityField::r, {axisymmetric, spherical}),
+          key("z", &VelocityField::z, {axisymmetric, space})};
 }
 
 void VelocityField::check(const TableReading& reading) const {
@@ -54,6 +55,8 @@ std::vector<std::string> VelocityField::along(Geometry geometry) const {
   switch (geometry) {
     case Geometry::line:
       return {x};
+    case Geometry::spherical:
+      return {r};
     case Geometry::planar:
       return {x, y};
     case Geometry::axisymmetric:

@@ -20,7 +20,7 @@ struct Box {
 
   static constexpr const char* kind = "box";
   static constexpr const char* doc =
-      "A box along the axes; in 1d an interval, axisymmetric a ring or a round plate.";
+      "A box along the axes; in 1d an interval, spherical a shell, axisymmetric a ring or a round plate.";
   static std::vector<Alias> aliases() {
     return {{"rectangle", "Another name of box in the plane.", {Geometry::planar, Geometry::axisymmetric}}};
   }
@@ -28,7 +28,7 @@ struct Box {
     const auto side = extent_along<Box>;
     return {side("x", "extent along x"),
             side("y", "extent along y"),
-            side("r", "extent along the radius (axisymmetric)"),
+            side("r", "extent along the radius (axisymmetric, spherical)"),
             side("z", "extent along z"),
             {.name = "rotation",
              .member = &Box::rotation,
@@ -46,8 +46,8 @@ struct Box {
              .when = [](const Box& b) { return b.rotation != 0; }}};
   }
   void check(const TableReading& reading) {
-    if (reading.in.geometry == Geometry::axisymmetric && reading.good("r") && lo[0] < 0)
-      reading.refuse("r", "'r' begins below the axis r = 0");
+    if (has_radius(reading.in.geometry) && reading.good("r") && lo[0] < 0)
+      reading.refuse("r", "'r' begins below r = 0");
     if (!reading.has("centre"))
       for (std::size_t d = 0; d < 3; ++d) centre[d] = 0.5 * (lo[d] + hi[d]);
   }

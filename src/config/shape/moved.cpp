@@ -68,7 +68,10 @@ void Moved::check(const TableReading& reading) {
     turn_by_directions(reading);
   if (reading.has("axis") && !reading.has("angle"))
     reading.refuse("axis", "'axis' needs 'angle'", "e.g. angle = \"30 deg\"");
-  if (reading.in.geometry == Geometry::axisymmetric && shift[0] != 0)
+  if (!has_radius(reading.in.geometry) || shift[0] == 0) return;
+  if (reading.in.geometry == Geometry::spherical)
+    reading.wrong("shift", "a spherical shape stays about the centre", "leave out 'shift'");
+  else
     reading.wrong("shift", "an axisymmetric shape can be shifted along z only", "leave out r");
 }
 

@@ -15,7 +15,9 @@ struct Sphere {
 
   static constexpr const char* kind = "sphere";
   static constexpr const char* doc = "A ball.";
-  static std::vector<Geometry> only_in() { return {Geometry::axisymmetric, Geometry::space}; }
+  static std::vector<Geometry> only_in() {
+    return {Geometry::spherical, Geometry::axisymmetric, Geometry::space};
+  }
   static Entries<Sphere> keys() {
     return {{.name = "radius",
              .member = &Sphere::radius,
@@ -33,6 +35,8 @@ struct Sphere {
   void check(const TableReading& reading) const {
     if (reading.in.geometry == Geometry::axisymmetric && centre[0] != 0)
       reading.refuse("centre", "'centre' must lie on the axis r = 0", "for a ring use a polygon or a box");
+    if (reading.in.geometry == Geometry::spherical && centre[0] != 0)
+      reading.refuse("centre", "'centre' must be r = 0, the centre of symmetry", "for a shell use a box");
   }
 
   template <int Dim>

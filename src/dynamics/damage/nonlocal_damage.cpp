@@ -25,7 +25,7 @@ template <int Dim>
 class MeanDrive {
  public:
   MeanDrive(const State<Dim>& state, const Body<Dim>& body, int slot, int reach, Scratch& scratch)
-      : window_(state.mesh, slot, reach), reach_(reach), axisymmetric_(state.grid(slot).axisymmetric) {
+      : window_(state.mesh, slot, reach), reach_(reach), round_(state.grid(slot).has_radius()) {
     const auto n = static_cast<std::size_t>(window_.size());
     drive_ = scratch.take<double>(n * count);
     window_.gather([&](int s) { return body.present(s) ? data_of(body.at(s)) : nullptr; },
@@ -67,7 +67,7 @@ class MeanDrive {
     return at[0] > 0 && at[DamageDrive::principal * n] == 0 && at[DamageDrive::pressure * n] == 0;
   }
   /// The part of a cell's own tension that counts: none, where no cell around has a void; all, where voids
-  /// are on both sides along an axis, or beside a cell at the axis of symmetry.
+  /// are on both sides along an axis, or beside a cell at the axis or centre of symmetry.
   double own_part(const Index<Dim>& i) const {
     Box<Dim> next{i, i};
     for (int d = 0; d < Dim; ++d) --next.lo[d], next.hi[d] += 2;
@@ -77,7 +77,7 @@ class MeanDrive {
     for (int d = 0; d < Dim; ++d) {
       Index<Dim> low = i, high = i;
       --low[d], ++high[d];
-      const bool at_axis = axisymmetric_ && d == 0 && i[0] == 0;
+      const bool at_axis = round_ && d == 0 && i[0] == 0;
       if (has_void(high) && (at_axis || has_void(low))) return 1;
     }
     return own_beside_void;
@@ -104,7 +104,7 @@ class MeanDrive {
 
   Window<Dim> window_;
   int reach_;
-  bool axisymmetric_;
+  bool round_;
   double *drive_ = nullptr, *weights_ = nullptr;
 };
 

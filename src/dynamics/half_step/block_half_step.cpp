@@ -82,19 +82,20 @@ void clear_behind(const Work<Dim>& w, std::ptrdiff_t end, double* change) {
     std::fill_n(change + static_cast<std::ptrdiff_t>(c * w.wide) + end, vector_length - 1, 0.0);
 }
 
-/// What the rings' widening does in row r, where axisymmetric.
-template <class Reader>
-[[gnu::always_inline]] inline void widen(const Work<2>& w, const Index<2>& r, int i, const Reader& read,
-                                         std::ptrdiff_t k, const Primitives<2>& v, Primitives<2>& rate) {
-  using C = Components<2>;
+/// What the widening of rings or shells does in row r.
+template <int Dim, class Reader>
+[[gnu::always_inline]] inline void widen(const Work<Dim>& w, const Index<Dim>& r, int i, const Reader& read,
+                                         std::ptrdiff_t k, const Primitives<Dim>& v, Primitives<Dim>& rate) {
+  using C = Components<Dim>;
   // On the axis u_r/r is du_r/dr, and what the hoop stress does to the velocity vanishes: divided by dx/2
   // noise would grow there.
   const bool on_axis = r[0] + i == 0 || r[0] + i == -1;
-  const double radius = std::max(std::abs(w.grid.centre(Index<2>{{r[0] + i, r[1]}})[0]), 0.5 * w.grid.dx);
+  const double radius = std::max(std::abs(w.grid.origin[0] + (r[0] + i + 0.5) * w.grid.dx), 0.5 * w.grid.dx);
   const double next = w.primitive[C::u * w.wide + static_cast<std::size_t>(r[0] + i < 0 ? k - 1 : k + 1)];
   const double widening = on_axis ? 0.5 * (v[C::u] + next) / w.grid.dx : v[C::u] / radius;
   const double sign = r[0] + i < 0 ? -1 : 1;
-  add_widening(v, sign * widening, on_axis ? 0.0 : sign / radius, read.response(k, w.ahead.loading), rate);
+  add_widening<Dim>(v, sign * widening, on_axis ? 0.0 : sign / radius, read.response(k, w.ahead.loading),
+                    rate);
 }
 
 /// Half a step changes the pressure by at most this part of rho c_L^2, and the density by this part of it.
@@ -212,24 +213,26 @@ RECOIL_MULTIVERSION void cross_row(const Reader& read, const double* loading, st
 }
 // NOLINTEND(readability-non-const-parameter)
 
-/// The changes of half a step by the widening of rings, which stand beside those by each axis too.
-void find_ring_change(double half, Work<2>& w) {
-  const WindowReader<2, false> read{w.primitive, w.impedance,     nullptr, nullptr,
-                                    w.wide,      0.5 / w.grid.dx, w.shear};
-  for_each_row(w, w.cells.grown(reach_across), [&](const Index<2>& r, std::ptrdiff_t first, int width) {
+/// The changes of half a step by the widening of rings or shells, which stand beside those by each axis too.
+template <int Dim>
+void find_widening_change(double half, Work<Dim>& w) {
+  double* const change = w.ahead.change[Dim];
+  const WindowReader<Dim, false> read{w.primitive, w.impedance,     nullptr, nullptr,
+                                      w.wide,      0.5 / w.grid.dx, w.shear};
+  for_each_row(w, w.cells.grown(reach_across), [&](const Index<Dim>& r, std::ptrdiff_t first, int width) {
     for (int i = 0; i < width; ++i) {
       const std::ptrdiff_t k = first + i;
-      Primitives<2> rate{};
+      Primitives<Dim> rate{};
       if (!w.open || w.open[k] != 0) widen(w, r, i, read, k, read.at(k), rate);
-      for (std::size_t c = 0; c < rate.size(); ++c) w.ahead.change[2][c * w.wide + k] = half * rate[c];
+      for (std::size_t c = 0; c < rate.size(); ++c) change[c * w.wide + k] = half * rate[c];
     }
-    clear_behind(w, first + width, w.ahead.change[2]);
+    clear_behind(w, first + width, change);
   });
-  for (int d = 0; d < 2; ++d)
-    for_each_row(w, changed_by(w, d), [&](const Index<2>&, std::ptrdiff_t first, int width) {
-      for (std::size_t c = 0; c < Components<2>::primitives; ++c) {
+  for (int d = 0; d < Dim; ++d)
+    for_each_row(w, changed_by(w, d), [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
+      for (std::size_t c = 0; c < Components<Dim>::primitives; ++c) {
         const std::size_t at = c * w.wide + static_cast<std::size_t>(first);
-        add_scaled(width, 1, w.ahead.change[2] + at, w.ahead.leaning[d] + at);
+        add_scaled(width, 1, change + at, w.ahead.leaning[d] + at);
       }
     });
 }
@@ -293,10 +296,10 @@ void find_half_step(const Body<Dim>& body, double dt, Work<Dim>& w, Scratch& scr
     w.ahead.leaning[axis] = scratch.take<double>(n);
     find_change<Dim, axis>(0.5 * dt, w);
   });
-  if constexpr (Dim == 2)
-    if (w.grid.axisymmetric) {
-      w.ahead.change[2] = scratch.take<double>(n);
-      find_ring_change(0.5 * dt, w);
+  if constexpr (Dim < 3)
+    if (w.grid.has_radius()) {
+      w.ahead.change[Dim] = scratch.take<double>(n);
+      find_widening_change(0.5 * dt, w);
     }
   leave_voids(w);
 }

@@ -111,19 +111,25 @@ template <int Dim, int a>
   return r;
 }
 
-/// Rates by the widening of rings, where axisymmetric: hoop strain rate D_tt = u_r/r. `turn` 0 leaves out
-/// what the hoop stress does to the velocity (theory: axisymmetry).
-[[gnu::always_inline]] inline void add_widening(const Primitives<2>& w, double widening, double turn,
-                                                const Response& m, Primitives<2>& r) {
-  using C = Components<2>;
-  const double hoop = -(w[C::s] + w[C::s + 1]);
-  const double flow = hoop * widening * m.loading * m.loading;
-  r[C::rho] -= w[C::rho] * widening;
-  r[C::p] -= m.bulk * widening;
-  r[C::u] += turn * (w[C::s] - hoop) / w[C::rho];
-  r[C::u + 1] += turn * w[C::s + 2] / w[C::rho];
-  for (int c = 0; c < 2; ++c) r[C::s + c] -= 2 * m.shear * (widening / 3 + flow * w[C::s + c]);
-  r[C::s + 2] -= 2 * m.shear * flow * w[C::s + 2];
+/// Rates by the widening of rings, where axisymmetric: hoop strain rate D_tt = u_r/r; of shells, where
+/// spherical, twice that. `turn` 0 leaves out what the hoop stress does to the velocity (theory:
+/// axisymmetry).
+template <int Dim>
+[[gnu::always_inline]] inline void add_widening(const Primitives<Dim>& w, double widening, double turn,
+                                                const Response& m, Primitives<Dim>& r) {
+  using C = Components<Dim>;
+  constexpr int hoops = Dim == 1 ? 2 : 1;
+  double hoop = -0.5 * w[C::s];
+  if constexpr (Dim == 2) hoop = -(w[C::s] + w[C::s + 1]);
+  const double flow = hoops * hoop * widening * m.loading * m.loading;
+  r[C::rho] -= hoops * w[C::rho] * widening;
+  r[C::p] -= hoops * m.bulk * widening;
+  r[C::u] += hoops * turn * (w[C::s] - hoop) / w[C::rho];
+  for (int c = 0; c < Dim; ++c) r[C::s + c] -= 2 * m.shear * (hoops * widening / 3 + flow * w[C::s + c]);
+  if constexpr (Dim == 2) {
+    r[C::u + 1] += turn * w[C::s + 2] / w[C::rho];
+    r[C::s + 2] -= 2 * m.shear * flow * w[C::s + 2];
+  }
 }
 
 /// S:D of a state by the derivatives along one axis.

@@ -194,11 +194,19 @@ std::map<std::int64_t, Part<Dim>> own_parts(const State<Dim>& state, const Cells
 }
 
 template <int Dim>
-double diameter_of(double volume, bool axisymmetric) {
+double diameter_of(double volume, const Grid<Dim>& grid) {
   if (Dim == 1) return volume;
-  if (Dim == 3 || axisymmetric)
-    return std::cbrt(6 / std::numbers::pi * (axisymmetric ? 2 * std::numbers::pi : 1) * volume);
+  if (Dim == 3 || grid.has_radius())
+    return std::cbrt(6 / std::numbers::pi * (grid.has_radius() ? 2 * std::numbers::pi : 1) * volume);
   return 2 * std::sqrt(volume / std::numbers::pi);
+}
+
+/// The thickness of a spherical shell [m].
+template <int Dim>
+double thickness_of(const Part<Dim>& p) {
+  if (p.highest[0] > p.lowest[0]) return p.highest[0] - p.lowest[0];
+  const double radius = p.place[0].value() / p.mass.value();
+  return p.volume.value() / (radius * radius);
 }
 
 template <int Dim>
@@ -207,7 +215,7 @@ Fragment<Dim> finished(const Part<Dim>& p, const Grid<Dim>& grid) {
   f.body = p.body, f.piece = p.piece, f.first = p.first, f.cells = p.cells;
   f.mass = p.mass.value(), f.failed = p.failed.value();
   f.volume = p.volume.value(), f.kinetic = p.kinetic.value();
-  f.diameter = diameter_of<Dim>(std::max(f.volume, 0.0), grid.axisymmetric);
+  f.diameter = grid.radial_power == 2 ? thickness_of(p) : diameter_of(std::max(f.volume, 0.0), grid);
   for (int d = 0; d < Dim; ++d) {
     const auto e = static_cast<std::size_t>(d);
     f.velocity[d] = p.momentum[e].value() / f.mass;

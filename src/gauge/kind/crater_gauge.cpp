@@ -74,7 +74,7 @@ class CraterWatch : public GaugeWatch<Dim> {
 
   /// Whether lines beyond an edge are images of those within. Those beyond the axis are not: rings are whole.
   bool has_images(int d, int side) const {
-    return grid_.edge[d][side] == Edge::reflect && !(grid_.axisymmetric && d == 0);
+    return grid_.edge[d][side] == Edge::reflect && !(grid_.has_radius() && d == 0);
   }
   /// The lines that may be near enough, images beyond planes of symmetry among them.
   Box<Dim> lines() const {
@@ -104,11 +104,11 @@ class CraterWatch : public GaugeWatch<Dim> {
     Vec<Dim> away = shortest_way(grid_, grid_.centre(i), at_);
     away[axis_] = 0;
     if (norm(away) > radius_) return 0;
-    return grid_.dx_power(Dim - 1) * (grid_.axisymmetric ? 2 * std::numbers::pi * grid_.radius(i[0]) : 1);
+    return grid_.dx_power(Dim - 1) * (grid_.has_radius() ? 2 * std::numbers::pi * grid_.weight(i[0]) : 1);
   }
   /// Of an area: planar itself, else the diameter of the circle that has it.
   double width(double area) const {
-    return Dim == 2 && !grid_.axisymmetric ? area : 2 * std::sqrt(area / std::numbers::pi);
+    return Dim == 2 && !grid_.has_radius() ? area : 2 * std::sqrt(area / std::numbers::pi);
   }
 
   void look_at_block(const State<Dim>& state, const Fragments<Dim>& fragments, int heaviest, int slot,

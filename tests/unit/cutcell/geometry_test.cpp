@@ -297,7 +297,7 @@ TEST(AxisymmetricGeometry, AConeHasItsVolumeAndItsSurfacesClose) {
     const auto& cut = b.end_geometry.cuts[b.end_geometry.index[k]];
     mantle += norm(cut.surface);
     EXPECT_NEAR(cut.surface[1], -slope * cut.surface[0], 1e-13);
-    EXPECT_NEAR(cut.open[0][1] - cut.open[0][0] + cut.surface[0], cut.plane_area, 1e-15);
+    EXPECT_NEAR(cut.open[0][1] - cut.open[0][0] + cut.surface[0], cut.hoop_area, 1e-15);
     EXPECT_NEAR(cut.open[1][1] - cut.open[1][0] + cut.surface[1], 0, 1e-15);
   });
   const double z0 = grid.origin[1] + grid.dx, z1 = grid.origin[1] + 23 * grid.dx;

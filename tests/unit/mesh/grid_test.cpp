@@ -41,8 +41,28 @@ TEST(AxisymmetricGrid, VolumesAndAreasPerRadian) {
   EXPECT_DOUBLE_EQ(disc, 0.5 * radius * radius);
   EXPECT_DOUBLE_EQ(mantle, radius * height);
   EXPECT_EQ(grid.full_area({{0, 2}}, 0), 0);  // the axis
-  EXPECT_EQ(grid.face_radius(-2), grid.face_radius(2));
-  EXPECT_EQ(grid.radius(-1), grid.radius(0));
+  EXPECT_EQ(grid.face_weight(-2), grid.face_weight(2));
+  EXPECT_EQ(grid.weight(-1), grid.weight(0));
+}
+
+TEST(SphericalGrid, VolumesAndAreasPerSteradian) {
+  auto grid = make_test_grid<1>(24, 8, Edge::outflow);
+  grid.origin[0] = 0;
+  grid.radial_power = 2;
+  const double radius = 24 * grid.dx;
+  double volume = 0, hoops = 0, moment = 0;
+  for (int i = 0; i < 24; ++i) {
+    volume += grid.full_volume({{i}});
+    hoops += grid.hoop_area(i);
+    const double low = i * grid.dx, high = low + grid.dx, part = grid.low_face_part(i);
+    moment += (part * low + (1 - part) * high) * grid.hoop_area(i);  // of a velocity that grows with r
+  }
+  EXPECT_NEAR(volume, radius * radius * radius / 3, 1e-12 * volume);
+  EXPECT_NEAR(hoops, radius * radius, 1e-12 * hoops);
+  EXPECT_NEAR(moment, 2 * radius * radius * radius / 3, 1e-12 * moment);
+  EXPECT_DOUBLE_EQ(grid.full_area({{24}}, 0), radius * radius);
+  EXPECT_EQ(grid.full_area({{0}}, 0), 0);  // the centre
+  EXPECT_EQ(grid.weight(-1), grid.weight(0));
 }
 
 template <int Dim>

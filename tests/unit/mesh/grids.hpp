@@ -41,7 +41,7 @@ inline Grid<2> make_axisymmetric_grid(int columns, int rows, int block) {
   g.cells = {{columns, rows}};
   g.block = {{block, block}};
   g.edge = {{{Edge::reflect, Edge::outflow}, {Edge::outflow, Edge::outflow}}};
-  g.axisymmetric = true;
+  g.radial_power = 1;
   return g;
 }
 

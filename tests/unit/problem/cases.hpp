@@ -18,7 +18,7 @@ inline config::Domain domain_of(config::Geometry geometry, config::Vector lo, co
   d.lo = lo;
   d.hi = hi;
   for (auto& ends : d.boundary) ends = {edges, edges};
-  if (geometry == config::Geometry::axisymmetric) d.boundary[0][0] = config::Boundary::axis;
+  if (config::has_radius(geometry)) d.boundary[0][0] = config::Boundary::axis;
   return d;
 }
 

@@ -136,9 +136,9 @@ TEST(InsidePart, DiscsBallsAndBoxesHaveTheirVolumes) {
 
 TEST(InsidePart, AlignedFacesAreExact) {
   const auto distance = signed_distance<2>(box_shape(vector_of(-20, -20), vector_of(0.3, 20)), plane);
-  EXPECT_NEAR(inside_part<2>(distance, {{0.5, 0.5}}, 1, false), 0.3, 1e-12);
-  EXPECT_EQ(inside_part<2>(distance, {{-1.5, 0.5}}, 1, false), 1);
-  EXPECT_EQ(inside_part<2>(distance, {{2.5, 0.5}}, 1, false), 0);
+  EXPECT_NEAR(inside_part<2>(distance, {{0.5, 0.5}}, 1, 0), 0.3, 1e-12);
+  EXPECT_EQ(inside_part<2>(distance, {{-1.5, 0.5}}, 1, 0), 1);
+  EXPECT_EQ(inside_part<2>(distance, {{2.5, 0.5}}, 1, 0), 0);
 }
 
 }  // namespace

@@ -44,6 +44,10 @@ shape = { kind = "box", x = ["-0.3 mm", "1.5 mm"], y = ["0 mm", "2 mm"] }
 [body.wall]
 rigid = true
 shape = { kind = "box", x = ["1.5 mm", "3 mm"], y = ["0 mm", "2 mm"] }
+[load.push]
+body = "flyer"
+pressure = "50 MPa * exp(-t/(1*us))"
+facing = { x = -1 }
 [gauge.face]
 kind = "contact"
 pair = "target-flyer"

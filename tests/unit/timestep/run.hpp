@@ -82,7 +82,7 @@ struct TestRun {
     const auto in = received(m);
     double worst = std::abs(now[0] - in.mass - then[0]) / then[0];
     // Of a wedge about an axis the radial momentum is none that is conserved.
-    for (int d = state.grid().axisymmetric ? 1 : 0; d < Dim; ++d) {
+    for (int d = state.grid().has_radius() ? 1 : 0; d < Dim; ++d) {
       const auto c = static_cast<std::size_t>(C::u + d);
       worst = std::max(worst, std::abs(now[c] - in.momentum[d] - then[c]) / (then[0] * speed));
     }
