@@ -249,7 +249,7 @@ void sweep(const AnyEos& eos, const Geometry<Dim>& geometry, Work<Dim>& w, doubl
   double* flux = scratch.take<double>(nf * Components<Dim>::contents);
   double* velocity = scratch.take<double>(nf * Dim);
   find_normal_stress<Dim, Axis>(w, scratch);
-  if (Dim > 1 && w.ahead.dt > 0) find_across<Dim, Axis>(w, scratch);
+  if (w.ahead.dt > 0) find_across<Dim, Axis>(w, scratch);
   if (w.whole)
     whole_areas(w, faces, Axis, area);
   else

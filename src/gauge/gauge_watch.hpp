@@ -23,11 +23,12 @@ namespace recoil {
 /// What a record is made from: on rank 0, after the reduction.
 template <int Dim>
 struct GaugeReading {
-  double time, dt;  // s
+  double time, dt;  // s, of the end of the step and its length
   const ExactSums& sums;
   const std::vector<PairSample>& pairs;  // by pair_number()
   const Totals<Dim>* totals;             // where needs_totals(), else null
   const RunUnits& units;
+  double before = 0;  // s, from the moment of the record to the end of the step
 };
 
 /// One gauge at work.
@@ -40,6 +41,9 @@ class GaugeWatch {
   virtual bool reads_every_step() const { return false; }
   /// Whether it is collected and followed at each step, not only when a record is due.
   virtual bool follows_every_step() const { return reads_every_step(); }
+  /// From the moment that a record is of to the end of the step, in parts of the step: 0.5 where values are
+  /// means over the step. The last record of a run is of its end all the same.
+  virtual double before_end() const { return 0; }
   /// Whether a record takes the sums over whole bodies.
   virtual bool needs_totals() const { return false; }
   /// Whether it reads contents of blocks that touch its own.

@@ -120,14 +120,14 @@ void Gauges<Dim>::share() {
 template <int Dim>
 void Gauges<Dim>::record(double time, double dt, const ExactSums& sums, const std::vector<PairSample>& pairs,
                          const Totals<Dim>* totals, bool all) {
-  const GaugeReading<Dim> reading{time, dt, sums, pairs, totals, units_};
   for (Gauge& g : gauges_) {
     const bool due = all || g.due.at(time);
     if (world_.rank() == 0) {
+      const GaugeReading<Dim> reading{time, dt, sums, pairs, totals, units_, g.watch->before_end() * dt};
       if (g.watch->follows_every_step()) g.watch->follow(sums, dt);
       row_.clear();
       if (due || g.watch->reads_every_step()) g.watch->read(reading, row_);
-      if (due) write(g, time);
+      if (due) write(g, time - reading.before);
     }
     if (due) g.due.done(time);
   }

@@ -21,7 +21,7 @@ struct ContactGauge {
   static constexpr const char* doc =
       "The contact of two bodies. With a radius, force and work are integrated over time from the last stage "
       "of each step, which represents its middle; without, impulse and work are what was exchanged, to the "
-      "last bit.";
+      "last bit. All other values are of the middle of the step that ends at the time of the record.";
   static Entries<ContactGauge> keys() {
     Entry<ContactGauge> at = place_key("at", &ContactGauge::at,
                                        "the centre of the part that counts; without it the whole contact");

@@ -14,7 +14,8 @@ struct SurfaceVelocityGauge {
 
   static constexpr const char* kind = "surface-velocity";
   static constexpr const char* doc =
-      "The velocity of a point of a surface; the point moves along the normal of the surface.";
+      "The velocity of a point of a surface; the point moves along the normal of the surface. Velocities are "
+      "means over steps: a record is of the middle of its step, the last one of the end of the run.";
   static constexpr bool on_surface = true;  // where `at` must lie at the start
   static Entries<SurfaceVelocityGauge> keys() {
     return {body_key("body", &SurfaceVelocityGauge::body, watched_body),

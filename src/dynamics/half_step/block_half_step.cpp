@@ -325,6 +325,8 @@ void find_across(Work<Dim>& w, Scratch& scratch) {
                    });
     });
     w.ahead.across = both;
+  } else if (w.grid.has_radius()) {
+    w.ahead.across = w.ahead.change[Dim];
   }
 }
 

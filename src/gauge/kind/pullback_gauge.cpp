@@ -42,7 +42,7 @@ class PullbackWatch : public GaugeWatch<Dim> {
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
     const auto surface = read_surface<Dim>(reading.sums.total(item_));
     follow_surface(grid_, point_, surface, reading.dt);
-    if (surface.found) signal_.add(reading.time, dot(surface.velocity, surface.normal));
+    if (surface.found) signal_.add(reading.time - 0.5 * reading.dt, dot(surface.velocity, surface.normal));
     if (reading.sums.any(scab_item_)) scab_ = -reading.sums.total(scab_item_)[0];
     const double fall = signal_.fall();
     row.insert(row.end(), {fall, 0.5 * density_ * sound_ * fall, 0.5 * signal_.slope() / sound_,

@@ -15,7 +15,8 @@ class SurfaceWatch : public GaugeWatch<Dim> {
         point_{body_number(setup.state, from.body), first_components<Dim>(from.at), {}},
         item_(setup.sums.item(surface_sums<Dim>)) {}
 
-  bool reads_every_step() const override { return true; }
+  bool follows_every_step() const override { return true; }
+  double before_end() const override { return 0.5; }  // walls have a mean velocity over the step
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool at_rest,
                ExactSums& sums) override {
     if (at_rest)
@@ -23,12 +24,16 @@ class SurfaceWatch : public GaugeWatch<Dim> {
     else
       probe_surface(state, point_, item_, sums);
   }
+  void follow(const ExactSums& sums, double dt) override {
+    follow_surface(grid_, point_, read_surface<Dim>(sums.total(item_)), dt);
+  }
   void read(const GaugeReading<Dim>& reading, std::vector<double>& row) override {
     const auto surface = read_surface<Dim>(reading.sums.total(item_));
-    follow_surface(grid_, point_, surface, reading.dt);
     row.push_back(surface.found ? dot(surface.velocity, surface.normal) : nothing);
     for (int d = 0; d < Dim; ++d) row.push_back(surface.found ? surface.velocity[d] : nothing);
-    append(row, point_.at);
+    SurfacePoint<Dim> then = point_;
+    follow_surface(grid_, then, surface, -reading.before);
+    append(row, then.at);
   }
   void pack(parallel::Bytes& bytes) const override { parallel::pack(bytes, point_); }
   void unpack(parallel::Unpacker& bytes) override { point_ = bytes.read<SurfacePoint<Dim>>(); }

@@ -46,7 +46,7 @@ rigid = true
 shape = { kind = "box", x = ["1.5 mm", "3 mm"], y = ["0 mm", "2 mm"] }
 [load.push]
 body = "flyer"
-pressure = "50 MPa * exp(-t/(1*us))"
+pressure = "exp(-t/us) * 50*MPa"
 facing = { x = -1 }
 [gauge.face]
 kind = "contact"

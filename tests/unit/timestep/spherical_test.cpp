@@ -70,7 +70,8 @@ TEST(Spherical, OnePressureEverywhereMovesNothing) {
   while (run.state.time < 0.2 * us) advance(run.state, run.stepping, 0.2 * us, run.engine);
   for (int m = 0; m < 2; ++m)
     for_each_cell(run, m, [&](const BodyBlock<1>& b, std::size_t k, double r) {
-      if (r < 7 * mm) EXPECT_LT(std::abs(b.contents[C::u * b.volume.size() + k] / b.contents[k]), 1e-6) << r;
+      const double velocity = b.contents[C::u * b.volume.size() + k] / b.contents[k];
+      EXPECT_LT(r < 5.5 * mm ? std::abs(velocity) : 0, 1e-7) << r;
     });
 }
 
@@ -81,13 +82,14 @@ TEST(Spherical, UniformExpansionHasNoShear) {
   while (run.state.time < 0.5 * us) advance(run.state, run.stepping, 0.5 * us, run.engine);
   int seen = 0;
   for_each_cell(run, 0, [&](const BodyBlock<1>& b, std::size_t k, double r) {
-    if (r > 5 * mm) return;  // the release has not come so far
+    if (r > 3.5 * mm) return;  // the release has not come so far
     const auto n = b.volume.size();
     EXPECT_NEAR(b.contents[k] / b.volume[k], 8930 * (1 - 3 * 2500 * 0.5 * us), 0.2) << r;
-    EXPECT_LT(std::abs(b.contents[C::s * n + k] / b.volume[k]), 1e-4 * GPa) << r;
+    EXPECT_LT(std::abs(b.contents[C::s * n + k] / b.contents[k]), 100)
+        << r;  // Pa, of a bulk stress of 0.5 GPa
     ++seen;
   });
-  EXPECT_EQ(seen, 50);
+  EXPECT_EQ(seen, 35);
 }
 
 TEST(Spherical, ShellsThatMeetKeepTheirBalances) {
