@@ -232,6 +232,9 @@ void move_fit(const EosModel& eos, const Grid<Dim>& grid, const Body<Dim>& body,
     for (std::size_t c = 0; c < w.size(); ++c) slope[d][c] = wall.gradient[c][d] / grid.dx;
     working += working_along<Dim, d>(w, slope[d]);
   });
+  const bool widens = Dim < 3 && grid.has_radius() && cut.point[0] > grid.dx;
+  const double widening = widens ? w[C::u] / cut.point[0] : 0;
+  if constexpr (Dim < 3) working -= (w[C::s] + (Dim == 2 ? w[C::s + 1] : 0.0)) * widening;
   const double g = shear_modulus(body.material);
   const auto& matter = frozen(eos, w[C::crushed]);
   const double c2 =
@@ -244,8 +247,7 @@ void move_fit(const EosModel& eos, const Grid<Dim>& grid, const Body<Dim>& body,
     for (std::size_t c = 0; c < w.size(); ++c) rate[c] += along[c];
   });
   if constexpr (Dim < 3)
-    if (grid.has_radius() && cut.point[0] > grid.dx)
-      add_widening<Dim>(w, w[C::u] / cut.point[0], 1 / cut.point[0], m, rate);
+    if (widens) add_widening<Dim>(w, widening, 1 / cut.point[0], m, rate);
   for (std::size_t c = 0; c < w.size(); ++c) wall.value[c] += time * rate[c];
   if (m.loading > 0) keep_at_yield<Dim>(w, w, wall.value);
 }

@@ -101,7 +101,7 @@ int plot_field_over_time(const PlotOptions& given) {
   for (const PlaneArray& phi : surfaces)
     for (Outline& line : zero_outlines(phi)) picture.outlines.push_back(std::move(line));
   picture.title = c.title;
-  picture.x_title = "x [mm]", picture.y_title = "time [µs]";
+  picture.x_title = config::axes_of(c.domain.geometry).front() + " [mm]", picture.y_title = "time [µs]";
   picture.y_scale = 1e6;
   picture.equal_aspect = false;
   choose_colours(picture, signed_values, o);

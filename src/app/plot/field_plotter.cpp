@@ -52,8 +52,8 @@ std::vector<std::string> axes_in(const config::Domain& domain, const SpacePlane&
   return axes;
 }
 
-LineChart curve_of(const FieldPlane& plane, const std::string& title, const std::string& note) {
-  LineChart chart{title, note, "x [mm]", plane.label};
+LineChart curve_of(const FieldPlane& plane, const config::Case& c, const std::string& note) {
+  LineChart chart{c.title, note, config::axes_of(c.domain.geometry).front() + " [mm]", plane.label};
   Series s;
   for (int i = 0; i < plane.values.nx; ++i) {
     s.x.push_back(1e3 * (plane.values.x0 + (i + 0.5) * plane.values.dx));
@@ -220,7 +220,7 @@ LineChart FieldPlotter::curve_in(const ChosenDump& dump, const std::string& note
         options_.along, case_.title, note);
   }
   const FieldPlane plane = plane_of(dump);
-  if (is_line_) return curve_of(plane, case_.title, note);
+  if (is_line_) return curve_of(plane, case_, note);
   const bool mirror = case_.domain.geometry == config::Geometry::axisymmetric;
   return line_in_plane(plane, options_.along, case_.title, note, mirror);
 }

@@ -60,15 +60,37 @@ RECOIL_MULTIVERSION void find_working(const Reader& read, const std::array<std::
   }
 }
 
+/// r of a cell of a row that begins with cell `first`, at least dx/2 from 0; below 0 beyond the axis.
+template <int Dim>
+double radius_of(const Grid<Dim>& grid, int first, int i) {
+  const double r = grid.origin[0] + (first + i + 0.5) * grid.dx, least = 0.5 * grid.dx;
+  return r < 0 ? std::min(r, -least) : std::max(r, least);
+}
+
+/// Adds the part of the hoop stresses to S:D of a row of cells, where the domain has a radius.
+template <int Dim, class Reader>
+void add_hoop_working(const Reader& read, const Grid<Dim>& grid, int column, std::ptrdiff_t first, int count,
+                      double* working) {
+  using C = Components<Dim>;
+  for (int i = 0; i < count; ++i) {
+    const auto v = read.at(first + i);
+    double hoops = -v[C::s];  // S_tt, in a sphere twice
+    if constexpr (Dim == 2) hoops -= v[C::s + 1];
+    working[i] += hoops * v[C::u] / radius_of(grid, column, i);
+  }
+}
+
 /// loading_of() all cells, 0 where they do not load on.
 template <int Dim>
 void find_loading(const Body<Dim>& body, Work<Dim>& w) {
   std::array<std::ptrdiff_t, Dim> step;
   for (int d = 0; d < Dim; ++d) step[static_cast<std::size_t>(d)] = w.window.stride(d);
   with_reader(w, [&](const auto& read) {
-    for_each_row(w, w.cells.grown(reach_across), [&](const Index<Dim>&, std::ptrdiff_t first, int width) {
+    for_each_row(w, w.cells.grown(reach_across), [&](const Index<Dim>& r, std::ptrdiff_t first, int width) {
       double* loading = w.ahead.loading + first;
       find_working<Dim>(read, step, first, width, loading);
+      if constexpr (Dim < 3)
+        if (w.grid.has_radius()) add_hoop_working(read, w.grid, r[0], first, width, loading);
       for (int i = 0; i < width; ++i)
         loading[i] = loading[i] > 0 ? loading_of(body, read.at(first + i)) : 0.0;
     });
@@ -90,7 +112,7 @@ template <int Dim, class Reader>
   // On the axis u_r/r is du_r/dr, and what the hoop stress does to the velocity vanishes: divided by dx/2
   // noise would grow there.
   const bool on_axis = r[0] + i == 0 || r[0] + i == -1;
-  const double radius = std::max(std::abs(w.grid.origin[0] + (r[0] + i + 0.5) * w.grid.dx), 0.5 * w.grid.dx);
+  const double radius = std::abs(radius_of(w.grid, r[0], i));
   const double next = w.primitive[C::u * w.wide + static_cast<std::size_t>(r[0] + i < 0 ? k - 1 : k + 1)];
   const double widening = on_axis ? 0.5 * (v[C::u] + next) / w.grid.dx : v[C::u] / radius;
   const double sign = r[0] + i < 0 ? -1 : 1;

@@ -340,8 +340,10 @@ void move_half_step(bool has_extra, const Row<Dim>& in, int to, FaceValues<Dim>&
   };
   std::array<Ends, row_room> yielding;
   int n = 0;
-  if constexpr (Shear && !yields_by_waves<Dim>)
-    for (int i = 0; i < in.count; ++i)
+  // Shells of a sphere change by what has no waves, u_r/r.
+  const bool by_differences = !yields_by_waves<Dim> || in.ahead->across;
+  if constexpr (Shear)
+    for (int i = 0; by_differences && i < in.count; ++i)
       if (loading[i] > 0)
         yielding[n++] = {end_of<Dim, Axis>(low, i + to), end_of<Dim, Axis>(high, i + to), i};
   if (n < in.count) {

@@ -25,7 +25,7 @@ struct Jwl {
   static constexpr const char* doc = "products of a detonated explosive: Jones, Wilkins and Lee";
   static constexpr bool barotropic = false;
   static constexpr bool fluid = true;
-  static constexpr DensityRange range{1e-30, 2.5};
+  static constexpr DensityRange range{1e-30, 4};  // denser products would slow sound down, and lose it
 
   static constexpr auto parameters() {
     using P = Parameter<Jwl>;
@@ -58,7 +58,7 @@ struct Jwl {
   }
 
   constexpr bool admissible(double rho) const { return rho > 0 && rho < largest_density(); }
-  constexpr double largest_density() const { return 4 * rho0; }
+  constexpr double largest_density() const { return range.most * rho0; }
 
   /// e [J/kg] of products that have detonated without motion: all of the energy is still in them.
   constexpr double detonated_energy() const { return energy0 / rho0 - rest_energy(); }
