@@ -51,6 +51,25 @@ RECOIL_MULTIVERSION Seen look(int count, const double* phi, double band) {
   return {near_surface != 0, inside != 0};
 }
 
+bool is_partial(double volume, double full) { return volume != 0 && std::abs(volume - full) > 1e-12 * full; }
+
+/// Whether a cell of the window, which reaches into the blocks around, is filled in part: redistribution
+/// shares what is in it with cells up to two away, so that their blocks have to take part.
+template <int Dim>
+bool has_partial_cells(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w,
+                       Scratch& scratch) {
+  const Scratch::Frame frame(scratch);
+  auto* volume = scratch.take<double>(static_cast<std::size_t>(w.size()));
+  w.gather([&](int s) { return body.present(s) ? body.at(s).volume.data() : nullptr; }, 0.0, Beyond::nothing,
+           volume);
+  const Grid<Dim>& grid = state.grid();
+  bool partial = false;
+  for_each(w.box(), [&](const Index<Dim>& i) {
+    partial = partial || is_partial(volume[w.at(i)], grid.full_volume(i));
+  });
+  return partial;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -99,10 +118,10 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
   for_each(cells, [&](const Index<Dim>& i) {
     const double v = b.volume[layout.at(i - cells.lo)];
     any = any || v != 0;
-    partial = partial || (v != 0 && std::abs(v - grid.full_volume(i)) > 1e-12 * grid.full_volume(i));
+    partial = partial || is_partial(v, grid.full_volume(i));
   });
   choice.present = choice.present || any;
-  choice.near_surface = choice.near_surface || partial || (any && !inside);
+  choice.near_surface = partial || (any && !inside) || has_partial_cells(state, body, w, scratch);
   return choice;
 }
 

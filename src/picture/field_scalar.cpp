@@ -16,8 +16,8 @@ namespace {
 
 /// Names of the six stored stresses, by the axes of the run.
 std::vector<std::string> stored_stresses(const RunUnits& u) {
+  if (u.axes.size() == 1) return u.stresses;
   if (u.axes.front() == "r") return {"rr", "zz", "tt", "rz"};
-  if (u.axes.size() == 1) return {"xx", "yy", "zz"};
   if (u.axes.size() == 2) return {"xx", "yy", "zz", "xy"};
   return {"xx", "yy", "zz", "xy", "yz", "xz"};
 }

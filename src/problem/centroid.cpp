@@ -81,13 +81,13 @@ Corners<Dim> tightened(const Distance<Dim>& distance, Corners<Dim> box) {
 }  // namespace
 
 template <int Dim>
-Vec<Dim> centroid(const Distance<Dim>& distance, const Vec<Dim>& lo, const Vec<Dim>& hi, bool has_radius) {
+Vec<Dim> centroid(const Distance<Dim>& distance, const Vec<Dim>& lo, const Vec<Dim>& hi, int radial_power) {
   const Corners<Dim> box = tightened(distance, Corners<Dim>{lo, hi});
   double volume = 0;
   Vec<Dim> moment;
   auto add = [&](const Corners<Dim>& part, double inside) {
     const Vec<Dim> x = part.middle();
-    double own = inside * (has_radius ? std::abs(x[0]) : 1);
+    double own = inside * (radial_power == 0 ? 1 : radial_power == 1 ? std::abs(x[0]) : x[0] * x[0]);
     for (int d = 0; d < Dim; ++d) own *= part.hi[d] - part.lo[d];
     volume += own;
     moment += own * (x - box.middle());
@@ -95,12 +95,12 @@ Vec<Dim> centroid(const Distance<Dim>& distance, const Vec<Dim>& lo, const Vec<D
   halve(distance, box, part_of(box, halvings(Dim)), add);
   Vec<Dim> at = box.middle();
   if (volume > 0) at += (1 / volume) * moment;
-  if (has_radius) at[0] = 0;
+  if (radial_power == 1) at[0] = 0;
   return at;
 }
 
-template Vec<1> centroid<1>(const Distance<1>&, const Vec<1>&, const Vec<1>&, bool);
-template Vec<2> centroid<2>(const Distance<2>&, const Vec<2>&, const Vec<2>&, bool);
-template Vec<3> centroid<3>(const Distance<3>&, const Vec<3>&, const Vec<3>&, bool);
+template Vec<1> centroid<1>(const Distance<1>&, const Vec<1>&, const Vec<1>&, int);
+template Vec<2> centroid<2>(const Distance<2>&, const Vec<2>&, const Vec<2>&, int);
+template Vec<3> centroid<3>(const Distance<3>&, const Vec<3>&, const Vec<3>&, int);
 
 }  // namespace recoil

@@ -54,7 +54,7 @@ Vec<Dim> middle_of(const config::Body& body, const config::Domain& domain, const
     lo[d] = std::clamp(bounds.lo[e], domain.lo[e] - m.period[d], domain.hi[e] + m.period[d]);
     hi[d] = std::clamp(bounds.hi[e], domain.lo[e] - m.period[d], domain.hi[e] + m.period[d]);
   }
-  return centroid(m.distance, lo, hi, config::radial_power(domain.geometry) > 0);
+  return centroid(m.distance, lo, hi, config::radial_power(domain.geometry));
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ template <int Dim>
 double choose_length(StepRun<Dim>& step, const Stepping& stepping, double until) {
   static constexpr FieldAccess access{"choose length", {}, role | average | phi | extension_velocity, {}};
   const State<Dim>& state = step.state();
-  const double sound = sound_in_step(Dim, stepping.stages);
+  const double sound = sound_in_step(Dim, stepping.stages, state.grid().radial_power);
   std::vector<double> signals(static_cast<std::size_t>(state.mesh.local()), 0);
   step.for_each_body(StepPhase::averages, access, [&](Body<Dim>& body, int slot, Scratch&) {
     double& f = signals[slot];
@@ -332,7 +332,7 @@ void follow_mismatch(StepRun<Dim>& step, const Following& following) {
 template <int Dim>
 void update_bands(StepRun<Dim>& step) {
   State<Dim>& state = step.state();
-  step.update_copies(phi);
+  step.update_copies(phi | volume);
   step.fill_stand_ins(phi);
   step.run_queued();
   {

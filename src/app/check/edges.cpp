@@ -167,7 +167,8 @@ void check_edges(LoadedCase& loaded) {
         if (c.domain.boundary[edge.axis][edge.side] != config::Boundary::outflow) continue;
         const double reach = reach_beyond(body, c.domain, edge);
         if (!std::isfinite(reach) || !(reach > 1e-3 * c.mesh.finest)) continue;
-        const double end = edge.side == 0 ? c.domain.lo[edge.axis] - reach : c.domain.hi[edge.axis] + reach;
+        double end = edge.side == 0 ? c.domain.lo[edge.axis] - reach : c.domain.hi[edge.axis] + reach;
+        if (edge.axis == 0 && config::has_radius(c.domain.geometry)) end = std::max(end, 0.0);
         loaded.found.warning(
             body.shape.place,
             fmt::format("'{}' is cut off at the {} end of {}, an outflow edge: {:.3g} mm of it lies beyond",

@@ -26,7 +26,7 @@ std::vector<Vec<Dim>> surface_places(const config::Case& c, const config::Body& 
   const auto distance = signed_distance<Dim>(body.shape, c.domain);
   std::vector<Vec<Dim>> all;
   for_each_sampled_cell(grid, [&](const Vec<Dim>& x, double width) {
-    if (std::abs(distance(x)) <= 0.5 * width) all.push_back(x);
+    if (std::abs(distance(x)) <= 0.5000001 * width) all.push_back(x);  // also of a surface on a face
   });
   const std::size_t apart = std::max<std::size_t>(1, all.size() / most_places);
   std::vector<Vec<Dim>> some;

@@ -13,7 +13,9 @@ inline Stepping stepping_of(const config::Case& c) {
 
 /// How often the speed of sound counts in the length of the steps of a case.
 inline double sound_in_step(const config::Case& c) {
-  return recoil::sound_in_step(config::dimension(c.domain.geometry), stepping_of(c).stages);
+  const config::Geometry geometry = c.domain.geometry;
+  return recoil::sound_in_step(config::dimension(geometry), stepping_of(c).stages,
+                               config::radial_power(geometry));
 }
 
 }  // namespace recoil::app

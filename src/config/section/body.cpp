@@ -117,6 +117,8 @@ void check_radial(Body& body, const TableReading& reading) {
   if (speed && body.rigid)
     reading.refuse("radial-velocity", "a rigid body cannot fly apart", "give it a 'velocity'");
   if (centre && !speed) reading.refuse("radial-centre", "'radial-centre' needs 'radial-velocity'");
+  if (centre && reading.in.geometry == Geometry::spherical && body.radial_centre[0] != 0)
+    reading.refuse("radial-centre", "'radial-centre' must be r = 0, the centre of symmetry", "leave it out");
   if (reading.has("radial-falls-from") && !speed)
     reading.refuse("radial-falls-from", "'radial-falls-from' needs 'radial-velocity'",
                    "e.g. radial-velocity = \"100 m/s\"");

@@ -23,6 +23,8 @@ bool starts_at_axis(const CaseReading& in, const std::string& axis) { return axi
 
 void check_ends(const TableReading& reading, const std::string& axis, const std::array<Boundary, 2>& ends,
                 bool at_axis) {
+  if (axis == "r" && (ends[0] == Boundary::periodic || ends[1] == Boundary::periodic))
+    return reading.wrong(axis, "a radius has no period", "write \"outflow\", or \"symmetry\" for a wall");
   if ((ends[0] == Boundary::periodic) != (ends[1] == Boundary::periodic))
     reading.wrong(axis, fmt::format("only one end of {} is periodic", axis), "write \"periodic\" for both");
   if (ends[1] == Boundary::axis || (ends[0] == Boundary::axis && !at_axis))

@@ -47,7 +47,7 @@ struct Box {
   }
   void check(const TableReading& reading) {
     if (has_radius(reading.in.geometry) && reading.good("r") && lo[0] < 0)
-      reading.refuse("r", "'r' begins below r = 0");
+      reading.refuse("r", "'r' begins below r = 0", "let it begin at 0");
     if (!reading.has("centre"))
       for (std::size_t d = 0; d < 3; ++d) centre[d] = 0.5 * (lo[d] + hi[d]);
   }

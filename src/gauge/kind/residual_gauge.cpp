@@ -18,7 +18,7 @@ class ResidualWatch : public GaugeWatch<Dim> {
       : body_(body_number(setup.state, from.body)),
         at_(first_components<Dim>(from.at)),
         direction_(first_components<Dim>(from.direction)),
-        round_(setup.state.grid().has_radius()),
+        round_(setup.state.grid().radial_power == 1),
         item_(setup.sums.item(2 + Dim)) {}
 
   void collect(const State<Dim>& state, const parallel::World& /*world*/, bool /*at_rest*/,

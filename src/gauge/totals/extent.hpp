@@ -24,6 +24,20 @@ void reach_out(const Vec<Dim>& x, double phi, double finest, const SumRow& out) 
   }
 }
 
+/// In 1-D a body that reaches a plane of symmetry or the centre ends there.
+template <int Dim>
+void reach_mirrors(const Grid<Dim>& grid, const BodyBlock<Dim>& b, const Box<Dim>& cells, const SumRow& out) {
+  using A = BodySums<Dim>;
+  if constexpr (Dim == 1)
+    for (const int side : {0, 1}) {
+      const Index<1> i{{side == 0 ? 0 : grid.cells[0] - 1}};
+      if (grid.edge[0][static_cast<std::size_t>(side)] != Edge::reflect || !cells.contains(i)) continue;
+      if (!(b.phi[static_cast<std::size_t>(grid.layout().at(i - cells.lo))] < 0)) continue;
+      const double end = grid.origin[0] + (i[0] + side) * grid.dx;
+      out.raise(side == 0 ? A::minus_lowest : A::highest, side == 0 ? -end : end);
+    }
+}
+
 template <int Dim>
 void find_extent(const Grid<Dim>& grid, double finest, const BodyBlock<Dim>& b, const Box<Dim>& cells,
                  const SumRow& out) {
@@ -31,6 +45,7 @@ void find_extent(const Grid<Dim>& grid, double finest, const BodyBlock<Dim>& b, 
   for_each(cells, [&](const Index<Dim>& i) {
     reach_out(grid.centre(i), b.phi[static_cast<std::size_t>(layout.at(i - cells.lo))], finest, out);
   });
+  reach_mirrors(grid, b, cells, out);
 }
 
 /// The same of a rigid body, of which coarse cells know little: by its distance from the cells of the finest
