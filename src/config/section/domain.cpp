@@ -104,7 +104,7 @@ Geometry geometry_of(const Node& domain) {
   const Node* named = domain.find("geometry");
   for (std::size_t g = 0; g < geometry_names.size(); ++g)
     if (named && named->is_text() && named->text == geometry_names[g]) return static_cast<Geometry>(g);
-  if (domain.find("r")) return Geometry::axisymmetric;
+  if (domain.find("r")) return domain.find("z") ? Geometry::axisymmetric : Geometry::spherical;
   if (domain.find("z")) return Geometry::space;
   return domain.find("y") ? Geometry::planar : Geometry::line;
 }

@@ -36,7 +36,7 @@ struct Fragment {
   Vec<Dim> position;         // m, centre of mass
   Vec<Dim> velocity;         // m/s, momentum over mass
   Vec<Dim> lowest, highest;  // m, its extent
-  double diameter = 0;       // m, of the sphere (planar: circle; 1d: its thickness) of this volume
+  double diameter = 0;       // m, of the sphere (planar: circle; 1d, spherical: its thickness) of this volume
 };
 
 /// All fragments of a state: of each body the pieces, the heaviest first, then the rubble; of equal masses
