@@ -143,6 +143,50 @@ TEST(Recorder, TheFirstTouchIsTimedWithinItsStep) {
   EXPECT_EQ(s.events[0].detail, "flyer 20 m/s, target 0 m/s");
 }
 
+const char* pushed = R"x(
+format = 1
+title = "a pressure that rises smoothly"
+[domain]
+geometry = "1d"
+x = ["-1 mm", "9 mm"]
+[mesh]
+finest = "0.05 mm"
+[time]
+end = "1 us"
+[body.plate]
+material = "none"
+shape = { kind = "box", x = ["0 mm", "8 mm"] }
+[load.push]
+body = "plate"
+pressure = "5*MPa * (1 - exp(-(t/(0.3*us))^2))"
+facing = { x = -1 }
+[gauge.face]
+kind = "surface-velocity"
+body = "plate"
+at = { x = "0 mm" }
+)x";
+
+/// rho c_L is 5e6 kg/(m2 s). At the ends of steps of 9 ns the velocity would differ by up to 0.013 m/s.
+TEST(Recorder, RecordsOfASurfaceAreOfTheMiddleOfTheirStep) {
+  const ScratchFolder folder;
+  run(pushed, folder.path());
+  const CsvTable face = read_csv(folder / "gauges/face.csv");
+  const auto time = face.numbers("time"), velocity = face.numbers("velocity.x"),
+             place = face.numbers("position.x");
+  const auto n = time.size();
+  ASSERT_GT(n, 100U);
+  EXPECT_EQ(time[0], 0);
+  EXPECT_NEAR(time[2] - time[1], 2 * time[1], 1e-3 * time[1]);
+  EXPECT_NEAR(time[n - 1], 1, 1e-12);
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    EXPECT_NEAR(velocity[k], 1 - std::exp(-std::pow(time[k] / 0.3, 2)), 1.5e-3) << time[k];
+    if (k > 1) {
+      EXPECT_NEAR(place[k] - place[k - 1], 0.5e-3 * (velocity[k] + velocity[k - 1]) * (time[k] - time[k - 1]),
+                  1e-9);
+    }
+  }
+}
+
 const char* leaving = R"(
 format = 1
 title = "leaves through an open edge"
