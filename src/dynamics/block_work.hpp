@@ -44,8 +44,7 @@ struct Work {
   double* own = nullptr;       // likewise 1 where that is its own average, else 0
   double* rate = nullptr;      // [contents]
   double* gradient = nullptr;  // [i * Dim + j]: integral of du_i/dx_j
-  double* radial =
-      nullptr;  // mean over the two r-faces of the star velocities, where the domain has a radius
+  double* radial = nullptr;    // with a radius: mean over the two r-faces of the star velocities
 
   /// Contents that flow: without damage all but that, which stands last.
   std::size_t carried() const { return carried_contents<Dim>(fails); }

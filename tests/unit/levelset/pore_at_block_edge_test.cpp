@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "../core/dimensions.hpp"
-#include "run.hpp"
+#include "../timestep/run.hpp"
 
 /// A cell that is filled in part, far from every surface, in the last cells of its block.
 namespace recoil::pore_at_block_edge_test {
