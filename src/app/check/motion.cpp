@@ -130,8 +130,9 @@ bool reaches_axis(const Body& b, const Case& c) {
   const double dx = c.mesh.finest;
   if (!config::has_radius(c.domain.geometry) || c.domain.lo[0] > 0) return false;
   if (c.domain.geometry == config::Geometry::spherical) return distance_of(b, {0.5 * dx, 0, 0}, c.domain) < 0;
-  for (double z = c.domain.lo[1] + 0.5 * dx; z < c.domain.hi[1]; z += dx)
-    if (distance_of(b, {0.5 * dx, z, 0}, c.domain) < 0) return true;
+  const auto rows = static_cast<int>(std::ceil((c.domain.hi[1] - c.domain.lo[1]) / dx - 0.5));
+  for (int j = 0; j < rows; ++j)
+    if (distance_of(b, {0.5 * dx, c.domain.lo[1] + (j + 0.5) * dx, 0}, c.domain) < 0) return true;
   return false;
 }
 

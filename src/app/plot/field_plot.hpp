@@ -10,6 +10,6 @@ int plot_field(const PlotOptions& options);
 
 /// Draws a field of a 1d run over place and time, from all its dumps, with the bodies' surfaces.
 /// @throws InputError for another geometry, or a run without dumps or such a field.
-int plot_field_over_time(const PlotOptions& options);
+int plot_field_over_time(const PlotOptions& given);
 
 }  // namespace recoil::app
