@@ -51,10 +51,9 @@ RECOIL_MULTIVERSION Seen look(int count, const double* phi, double band) {
   return {near_surface != 0, inside != 0};
 }
 
-bool is_partial(double volume, double full) { return volume != 0 && std::abs(volume - full) > 1e-12 * full; }
-
 /// Whether a cell of the window, which reaches into the blocks around, is filled in part: redistribution
-/// shares what is in it with cells up to two away, so that their blocks have to take part.
+/// shares what is in it with cells up to two away, so that their blocks have to take part. What stands in for
+/// a coarser block is whole or empty.
 template <int Dim>
 bool has_partial_cells(const State<Dim>& state, const Body<Dim>& body, const Window<Dim>& w,
                        Scratch& scratch) {
@@ -65,7 +64,8 @@ bool has_partial_cells(const State<Dim>& state, const Body<Dim>& body, const Win
   const Grid<Dim>& grid = state.grid();
   bool partial = false;
   for_each(w.box(), [&](const Index<Dim>& i) {
-    partial = partial || is_partial(volume[w.at(i)], grid.full_volume(i));
+    const double v = volume[w.at(i)], full = grid.full_volume(i);
+    partial = partial || (v != 0 && std::abs(v - full) > 1e-12 * full);
   });
   return partial;
 }
@@ -114,14 +114,10 @@ BandChoice<Dim> choose_band(const State<Dim>& state, const Body<Dim>& body, int 
   if (!b.present || body.rigid || choice.near_surface) return choice;
   // Fragments that the level set has lost stay, and stay cut.
   const Box<Dim> cells = state.mesh.block(slot).cells, layout = grid.layout();
-  bool any = false, partial = false;
-  for_each(cells, [&](const Index<Dim>& i) {
-    const double v = b.volume[layout.at(i - cells.lo)];
-    any = any || v != 0;
-    partial = partial || is_partial(v, grid.full_volume(i));
-  });
+  bool any = false;
+  for_each(cells, [&](const Index<Dim>& i) { any = any || b.volume[layout.at(i - cells.lo)] != 0; });
   choice.present = choice.present || any;
-  choice.near_surface = partial || (any && !inside) || has_partial_cells(state, body, w, scratch);
+  choice.near_surface = (any && !inside) || has_partial_cells(state, body, w, scratch);
   return choice;
 }
 

@@ -36,8 +36,8 @@ enum class StepStages { one, three };
 
 /// How often the speed of sound counts in the length of a step, beside sum_d |u_d|. A wave has one direction:
 /// sqrt(dim) with three stages. With one stage linear waves are stable while c_L dt is below 1, 0.89 and 0.72
-/// of dx in 1-D, 2-D and 3-D (tools/stable_cfl), and surfaces at 45 degrees up to about 0.7 of it. The centre
-/// of a sphere is stable up to 0.70 to 0.82 (decision 0081).
+/// of dx in 1-D, 2-D and 3-D (tools/stable_cfl), and surfaces at 45 degrees up to about 0.7 of it. Matter
+/// at the centre of a sphere needs 0.70 (decision 0081).
 /// @param radial_power as Grid has it.
 inline double sound_in_step(int dim, StepStages stages, int radial_power = 0) {
   constexpr std::array one_stage{1.0, 1.4, 1.4};

@@ -27,7 +27,7 @@ struct Body {
   Vector spin_centre{};             // m
   double radial_velocity = 0;       // m/s, away from radial_centre
   Vector radial_centre{};           // m
-  bool radial_from_axis = false;    // away from the axis of an axisymmetric domain instead
+  bool radial_from_axis = false;    // away from r = 0 instead (axisymmetric, spherical)
   double radial_falls_from = 0;     // m, the distance from which radial_velocity falls; 0: it does not
   VelocityField velocity_field;     // added to the velocities above
   std::vector<TimedVelocity> velocity_history;  // of a rigid body; empty: it keeps its velocity

@@ -25,7 +25,7 @@ struct Jwl {
   static constexpr const char* doc = "products of a detonated explosive: Jones, Wilkins and Lee";
   static constexpr bool barotropic = false;
   static constexpr bool fluid = true;
-  static constexpr DensityRange range{1e-30, 8};  // shocks that run to a point reach five and more
+  static constexpr DensityRange range{1e-30, 8};  // for shocks that run to a point (decision 0081)
 
   static constexpr auto parameters() {
     using P = Parameter<Jwl>;
